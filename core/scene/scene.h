@@ -1,0 +1,137 @@
+// The scene as a value: a tree of nodes over arrays of shared, immutable payloads (book Fig. 7.2). Copying is cheap; an edit makes a new
+// one. Camera, playhead and panel layout are no part of it.
+#pragma once
+#include <compare>
+#include <cstdint>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/catalog/catalog.h"
+#include "core/mesh/mesh.h"
+
+namespace mw {
+
+/// A stable name of a thing in a scene, never used again for another.
+template <class Tag>
+struct Id {
+    uint32_t value = 0;  ///< 0: none
+    explicit operator bool() const { return value != 0; }
+    auto operator<=>(const Id&) const = default;
+};
+using NodeId = Id<struct NodeTag>;
+using MeshId = Id<struct MeshTag>;
+using MaterialId = Id<struct MaterialTag>;
+using ImageId = Id<struct ImageTag>;
+using ModifierId = Id<struct ModifierTag>;
+
+struct Transform {
+    glm::dvec3 translation{0};
+    glm::dquat rotation{1, 0, 0, 0};
+    glm::dvec3 scale{1};
+    glm::dmat4 matrix() const;  ///< parent from local
+    bool operator==(const Transform&) const = default;
+};
+/// The nearest translation, rotation, scale; `exact` false when the matrix shears.
+Transform transformOf(const glm::dmat4& m, bool* exact = nullptr);
+
+/// One row of a modifier stack. `operation` may be unknown to this version: it is then kept and skipped with an error.
+struct Modifier {
+    ModifierId id;
+    std::string operation;
+    ParameterValues values;
+    bool enabled = true;
+    bool operator==(const Modifier&) const = default;
+};
+
+/// An encoded picture as the file had it.
+struct Image {
+    std::string name, mimeType;  ///< "image/png" or "image/jpeg"
+    std::shared_ptr<const std::vector<uint8_t>> bytes;
+};
+
+/// Metallic-roughness, as in glTF 2.0. Colours are linear.
+struct Material {
+    struct Texture {
+        ImageId image;
+        int set = 0;  ///< texcoord, texcoord1, ...
+        bool repeat = true;
+    };
+    std::string name;
+    glm::dvec4 baseColor{0.8, 0.8, 0.8, 1};
+    double metallic = 0, roughness = 0.6;
+    glm::dvec3 emissive{0};
+    double normalScale = 1, occlusionStrength = 1, alphaCutoff = 0.5;
+    enum class Alpha { Opaque, Mask, Blend } alpha = Alpha::Opaque;
+    bool doubleSided = false;
+    Texture baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
+    std::string extras;  ///< JSON text of what a file said beyond this; empty when nothing
+};
+
+/// A mesh as the scene has it: base, material slots (face attribute "material" indexes them) and modifier stack.
+struct MeshObject {
+    std::string name;
+    Mesh base;
+    std::vector<MaterialId> materials;
+    std::vector<Modifier> stack;
+};
+
+struct Node {
+    std::string name;
+    Transform local;
+    NodeId parent;
+    std::vector<NodeId> children;
+    bool visible = true;
+    MeshId mesh;         ///< several nodes may share one
+    std::string extras;  ///< JSON text kept from a file
+};
+
+/// A value. Readers share it by shared_ptr<const Scene>; editors copy it, change the copy and hand it to Document::commit.
+class Scene {
+public:
+    const Node* find(NodeId id) const;
+    const Node& node(NodeId id) const;  ///< precondition: it exists
+    const std::vector<NodeId>& roots() const { return roots_; }
+    std::vector<NodeId> nodes() const;  ///< depth first
+    const MeshObject* find(MeshId id) const;
+    const Material* find(MaterialId id) const;
+    const Image* find(ImageId id) const;
+    std::shared_ptr<const MeshObject> shared(MeshId id) const;
+    std::vector<MeshId> meshes() const;
+    std::vector<MaterialId> materials() const;
+    std::vector<ImageId> images() const;
+    size_t users(MeshId id) const;  ///< nodes that show it
+    glm::dmat4 worldFromLocal(NodeId id) const;
+
+    NodeId add(Node node, NodeId parent = {});  ///< parent and children of `node` are ignored
+    MeshId add(MeshObject object);
+    MaterialId add(Material material);
+    ImageId add(Image image);
+    void set(NodeId id, Node node);  ///< parent and children stay as they are
+    void set(MeshId id, MeshObject object);
+    void set(MaterialId id, Material material);
+    void remove(NodeId id);                   ///< with its children; payloads nobody uses go too
+    void reparent(NodeId id, NodeId parent);  ///< throws Error on a cycle
+    ModifierId newModifierId() { return {next_++}; }
+    /// All of another scene as further roots; its ids are renamed. Returns the new roots.
+    std::vector<NodeId> merge(const Scene& other);
+
+    size_t bytes() const;  ///< of payloads, each counted once
+
+private:
+    std::map<NodeId, std::shared_ptr<const Node>> nodes_;
+    std::map<MeshId, std::shared_ptr<const MeshObject>> meshes_;
+    std::map<MaterialId, std::shared_ptr<const Material>> materials_;
+    std::map<ImageId, std::shared_ptr<const Image>> images_;
+    std::vector<NodeId> roots_;
+    uint32_t next_ = 1;
+};
+
+/// Of everything a project file keeps.
+uint64_t contentHash(const Scene& s);
+
+}  // namespace mw

@@ -1,0 +1,41 @@
+// The camera of a view: it turns about a point, up stays up.
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/mesh/mesh.h"
+
+namespace mw {
+
+struct Ray {
+    glm::dvec3 origin, direction;  ///< direction is unit
+};
+
+/// World space, +Y up. Angles in radians.
+struct Camera {
+    glm::dvec3 target{0};
+    double distance = 5;
+    double azimuth = 0.6, elevation = 0.35;  ///< 0, 0 looks along -Z (front view)
+    double fieldOfView = 0.7;                ///< vertical
+    bool perspective = true;
+    double nearClip = 0.01, farClip = 1000;  ///< kept by fitClip()
+
+    glm::dvec3 eye() const;
+    glm::dmat4 viewFromWorld() const;
+    glm::dmat4 clipFromView(double aspect) const;
+    /// Pixel coordinates, origin top left.
+    Ray ray(glm::dvec2 pixel, glm::dvec2 size) const;
+    glm::dvec3 project(glm::dvec3 world, glm::dvec2 size) const;  ///< pixel x, y and depth 0..1
+
+    void frame(const Bounds& bounds, double aspect);  ///< all of it in view, direction kept
+    void fitClip(const Bounds& scene);
+    void orbit(glm::dvec2 pixels, glm::dvec3 about);  ///< keeps `about` where it is on screen
+    void pan(glm::dvec2 pixels, glm::dvec2 size);
+    void zoom(double steps, glm::dvec2 pixel, glm::dvec2 size);  ///< towards the cursor
+};
+
+/// "front", "back", "left", "right", "top", "bottom", or "azimuth,elevation" in degrees. False when it is neither.
+bool setView(Camera& camera, std::string_view view);
+
+}  // namespace mw

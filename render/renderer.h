@@ -1,0 +1,120 @@
+// Draws a frame (objects, options, overlays) into the bound framebuffer. OpenGL 4.1 core through libepoxy; no Qt. The window gives it a
+// context, the command line makes one by surfaceless EGL (render/offscreen.h). Nothing unchanged is uploaded again.
+#pragma once
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mesh/table.h"
+#include "core/scene/scene.h"
+#include "core/steps/stepper.h"
+#include "render/camera.h"
+
+namespace mw {
+
+enum class Shading { Smooth, Flat, Wire };
+enum class Theme { Dark, Light };
+
+/// Values of a table on a mesh, as colours.
+struct HeatMap {
+    std::shared_ptr<const Table> table;
+    size_t column = 0;
+    double low = 0, high = 1;  ///< the range shown; see heatRange()
+};
+/// 2nd to 98th percentile, or all when that is empty.
+std::pair<double, double> heatRange(const Column& column);
+
+/// One node to draw.
+struct DrawObject {
+    NodeId node;
+    glm::dmat4 worldFromLocal{1};
+    Mesh mesh;
+    std::vector<std::shared_ptr<const Material>> materials;  ///< by slot; may be empty
+    std::shared_ptr<const HeatMap> heat;
+    bool selected = false, hovered = false, dimmed = false;
+};
+
+/// Elements marked on one object: selection, hover, offenders, or the focus of a step.
+struct Mark {
+    NodeId node;
+    ElementKind kind = ElementKind::Vertex;
+    std::vector<uint32_t> indices;  ///< edges: vertex pairs
+    glm::vec4 color{1};             ///< sRGB, as in ui/UI.md
+    float width = 2;                ///< of lines, or diameter of discs, logical pixels
+    enum class Style { Solid, Dashed, Hatched, Plus } style = Style::Solid;
+    bool through = false;  ///< drawn through what hides it
+};
+struct Label {
+    glm::vec3 atWorld;
+    std::string text;
+    glm::vec4 color{1};
+};
+struct MarkPoint {
+    glm::vec3 atWorld;
+    glm::vec4 color{1};
+    float diameter = 8;
+};
+
+/// The marks of a step's focus by role: shape as well as colour (ui/UI.md 5).
+void addFocus(const StepRecord& step, const Mesh& mesh, NodeId node, const glm::dmat4& worldFromLocal, std::vector<Mark>& marks,
+              std::vector<MarkPoint>& points, std::vector<Label>& labels);
+
+struct ViewOptions {
+    Shading shading = Shading::Smooth;
+    Theme theme = Theme::Dark;
+    bool wireOverlay = false, xray = false, grid = true, axes = true, orientationMarker = true, legend = true;
+    bool transparentBackground = false;
+    bool normalsNeedles = false;
+    int samples = 4;        ///< wanted multisampling of off-screen pictures
+    double pixelRatio = 1;  ///< device pixels a logical pixel
+};
+
+struct Frame {
+    Camera camera;
+    ViewOptions options;
+    std::vector<DrawObject> objects;
+    std::vector<Mark> marks;
+    std::vector<MarkPoint> points;
+    std::vector<Label> labels;
+};
+
+/// All visible nodes of a scene. `shown` gives the mesh to draw of each mesh object.
+Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown);
+Bounds boundsOf(const Frame& frame);
+
+/// What lies under a pixel.
+struct Pick {
+    NodeId node;
+    uint32_t face = none;         ///< payload face
+    uint32_t vertex = none;       ///< nearest vertex of that face, if within the tolerance
+    glm::uvec2 edge{none, none};  ///< nearest edge, if within the tolerance
+    glm::dvec3 atWorld{0};
+};
+
+class Renderer {
+public:
+    /// A context must be current, here and in every call. Throws Error when it is older than 4.1 or a shader does not compile.
+    Renderer();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+
+    /// Draws into framebuffer `target`, `size` in device pixels.
+    void draw(const Frame& frame, unsigned target, glm::ivec2 size);
+    /// Id buffer at the pixel (device pixels, origin top left); tolerances in logical pixels as in ui/UI.md 3.
+    std::optional<Pick> pick(const Frame& frame, glm::ivec2 size, glm::dvec2 pixel);
+    /// All faces visible in a rectangle, by node.
+    std::vector<std::pair<NodeId, std::vector<uint32_t>>> visibleFaces(const Frame& frame, glm::ivec2 size, glm::ivec2 low, glm::ivec2 high);
+    /// Triangles and vertices sent by the last draw(), and bytes uploaded by it.
+    struct Counts {
+        size_t triangles = 0, vertices = 0, uploadedBytes = 0;
+    };
+    Counts counts() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mw

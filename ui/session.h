@@ -1,0 +1,19 @@
+// What every panel is given. Panels know the document and these services, never each other.
+#pragma once
+#include <QString>
+
+#include "core/scene/document.h"
+#include "ui/jobs.h"
+#include "ui/steps/step_session.h"
+#include "ui/view_state.h"
+
+namespace mw {
+
+struct Session {
+    Document& document;
+    Jobs& jobs;
+    ViewState& view;
+    StepSession& steps;
+};
+
+}  // namespace mw

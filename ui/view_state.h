@@ -1,0 +1,41 @@
+// What is looked at, and how: no part of the document or its history. Panels and viewport share it.
+#pragma once
+#include <QObject>
+#include <QString>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "core/scene/document.h"
+#include "render/renderer.h"
+
+namespace mw {
+
+enum class PickKind { Object, Vertex, Edge, Face };
+
+class ViewState : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    Camera camera;
+    ViewOptions options;
+    PickKind pickKind = PickKind::Object;
+    QString colourBy;                     ///< id of a query operation ("vertex-valence"), or empty: material
+    std::map<MeshId, size_t> shownLevel;  ///< 0 base .. n; absent: the result
+    NodeId hovered;
+    std::vector<Mark> flashes;  ///< marks panels put into the view (offenders under the mouse)
+    bool dimOthers = false;     ///< everything but marked elements at 35 %
+
+    void touch() { emit changed(); }  ///< after setting any of the above
+    void frameNodes(std::vector<NodeId> nodes) { emit frameRequested(std::move(nodes)); }
+    void frameBounds(const Bounds& world) { emit boundsRequested(world); }
+
+signals:
+    void changed();
+    void frameRequested(std::vector<mw::NodeId> nodes);  ///< empty: all
+    void boundsRequested(const mw::Bounds& world);
+};
+
+}  // namespace mw

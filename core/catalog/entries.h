@@ -1,0 +1,62 @@
+// How an algorithm becomes an entry of the catalog: its parameter struct is described, its coroutine wrapped in a Run.
+#pragma once
+#include <type_traits>
+
+#include "core/catalog/catalog.h"
+
+namespace mw {
+
+template <class T>
+inline constexpr Kind kindOfType = Kind::Nothing;
+template <>
+inline constexpr Kind kindOfType<Mesh> = Kind::Mesh;
+template <>
+inline constexpr Kind kindOfType<Table> = Kind::Table;
+template <>
+inline constexpr Kind kindOfType<ElementSet> = Kind::Selection;
+
+template <class P>
+std::vector<Parameter> described()
+{
+    Describer d;
+    P p;
+    p.describe(d);
+    return std::move(d.parameters);
+}
+
+template <class P>
+P filled(const ParameterValues& values)
+{
+    P p;
+    Filler f(values);
+    p.describe(f);
+    return p;
+}
+
+/// An algorithm that takes a value: `Generator f(In, P, Stage<Out>&)`. `about` has everything but kinds, parameters and start.
+template <class In, class P, class Out>
+Operation entry(Operation about, Generator (*algorithm)(In, P, Stage<Out>&))
+{
+    about.accepts = kindOfType<In>;
+    about.yields = kindOfType<Out>;
+    about.parameters = described<P>();
+    about.start = [algorithm](const Value& input, const ParameterValues& values, bool watched) -> std::unique_ptr<Run> {
+        return std::make_unique<RunOf<Out>>(watched, [&](Stage<Out>& stage) { return algorithm(std::get<In>(input), filled<P>(values), stage); });
+    };
+    return about;
+}
+
+/// A source: `Generator f(P, Stage<Out>&)`.
+template <class P, class Out>
+Operation entry(Operation about, Generator (*algorithm)(P, Stage<Out>&))
+{
+    about.accepts = Kind::Nothing;
+    about.yields = kindOfType<Out>;
+    about.parameters = described<P>();
+    about.start = [algorithm](const Value&, const ParameterValues& values, bool watched) -> std::unique_ptr<Run> {
+        return std::make_unique<RunOf<Out>>(watched, [&](Stage<Out>& stage) { return algorithm(filled<P>(values), stage); });
+    };
+    return about;
+}
+
+}  // namespace mw

@@ -100,11 +100,16 @@ public:
 private:
     void notify(const Change& change);
     void show(std::shared_ptr<const Scene> next, const Selection& selection, Aspect also);
+    void boundHistory();
+    size_t historyOnlyBytes() const;
+
+    static constexpr size_t never = ~size_t(0);  // of savedPosition_: the state on disk is in no entry
 
     std::shared_ptr<const Scene> scene_;
     Selection selection_;
     std::vector<Entry> history_;
     size_t position_ = 0, savedPosition_ = 0;
+    bool previewing_ = false;
     size_t historyBytes_ = size_t(2) << 30;  // bound on what only history holds
     std::filesystem::path file_;
     std::map<MeshId, std::shared_ptr<const Evaluation>> evaluations_;

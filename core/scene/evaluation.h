@@ -1,10 +1,11 @@
 // What a modifier stack gives: the mesh at each level. Pure; cached by what goes in.
 #pragma once
+#include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -41,6 +42,10 @@ private:
         std::string key;
         double seconds;
     };
+    std::optional<Level> find(const Mesh& input, const std::string& key);
+    void keep(Entry entry);
+    Level run(const Mesh& input, const Modifier& modifier, size_t level, size_t levels, Progress* progress);
+
     std::mutex mutex_;
     std::list<Entry> entries_;  // most recent first
     size_t bytes_ = 0, keepBytes_;

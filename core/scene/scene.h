@@ -101,6 +101,7 @@ public:
     const Material* find(MaterialId id) const;
     const Image* find(ImageId id) const;
     std::shared_ptr<const MeshObject> shared(MeshId id) const;
+    std::shared_ptr<const Material> shared(MaterialId id) const;
     std::vector<MeshId> meshes() const;
     std::vector<MaterialId> materials() const;
     std::vector<ImageId> images() const;
@@ -122,7 +123,21 @@ public:
 
     size_t bytes() const;  ///< of payloads, each counted once
 
+    /// What a project file holds, with the ids it was saved with. Throws Error when the parts do not fit together.
+    struct Parts {
+        std::map<NodeId, Node> nodes;
+        std::map<MeshId, MeshObject> meshes;
+        std::map<MaterialId, Material> materials;
+        std::map<ImageId, Image> images;
+        std::vector<NodeId> roots;
+    };
+    static Scene restored(Parts parts);
+
 private:
+    void unlink(NodeId id);
+    void dropUnused();
+    void checkTree() const;
+
     std::map<NodeId, std::shared_ptr<const Node>> nodes_;
     std::map<MeshId, std::shared_ptr<const MeshObject>> meshes_;
     std::map<MaterialId, std::shared_ptr<const Material>> materials_;

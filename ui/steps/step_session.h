@@ -12,7 +12,10 @@
 
 namespace mw {
 
-/// Lives in the window's thread. Long seeks run as a job; until one ends the last state stays.
+class StepHistory;
+
+/// Lives in the window's thread, the Stepper on a worker. A step that is ready within a few milliseconds is shown at once; else the last
+/// state stays until it is. A seek that takes longer shows as a job and can be cancelled there.
 class StepSession : public QObject {
     Q_OBJECT
 
@@ -34,17 +37,28 @@ public:
     /// The thing as it stands, to draw in place of the node's mesh. Null while nothing is open.
     const Value* value() const;
     size_t position() const;
-    size_t length() const;  ///< 0 while unknown
+    size_t length() const;           ///< 0 while unknown
+    size_t estimatedLength() const;  ///< from what the algorithm says of its progress; 0 while it cannot be told
+    bool atEnd() const;
     bool seeking() const { return seeking_; }
+    const QString& error() const;  ///< why the last move did not work; empty when it did
 
     /// The numbers of every step passed so far, for the plot: by name, (step, value).
     const std::vector<std::pair<size_t, double>>& series(const std::string& number) const;
     std::vector<std::string> seriesNames() const;
+    const StepHistory& history() const;  ///< ui/steps/step_history.h
 
-    enum class Unit { Step, Phase };
-    void setUnit(Unit u);
+    enum class Unit { Step, Phase, Named };  ///< Named: each step of one phase
+    void setUnit(Unit u, const QString& phase = {});
+    Unit unit() const;
+    const QString& unitPhase() const;
     void setSpeed(double stepsPerSecond);  ///< 0: as fast as it goes
+    double speed() const;
     bool playing() const { return timer_.isActive(); }
+
+    /// The document's mesh was changed since this was opened: the strip asks what to do.
+    bool edited() const;
+    void keepAsBase();  ///< the state shown becomes the node's mesh, without modifiers; ends stepping
 
 public slots:
     void play();
@@ -54,6 +68,7 @@ public slots:
     void first();
     void last();
     void seek(size_t position);
+    void scrub(size_t position);         ///< seek() of a drag: does not break off the seek before it
     void toPhase(const QString& phase);  ///< next step of that phase
     void toLine(unsigned line);          ///< next step yielded there
 
@@ -64,6 +79,9 @@ signals:
 
 private:
     struct Impl;
+    void tick();
+    void documentChanged();
+
     std::unique_ptr<Impl> impl_;
     Document& document_;
     Jobs& jobs_;

@@ -1,0 +1,573 @@
+// See step_session.h. The Stepper belongs to one worker thread; commands go to it one at a time, results come back as plain values.
+#include "ui/steps/step_session.h"
+
+#include <QLocale>
+#include <QThreadPool>
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+
+#include "ui/steps/step_history.h"
+
+namespace mw {
+
+namespace {
+
+constexpr auto patience = std::chrono::milliseconds(8);  // the window waits this long for a step; longer ones come by event
+constexpr double batchLeast = 0.012, batchMost = 0.05;   // seconds a batch should take when it plays as fast as it goes
+constexpr int jobAfter = 300;                            // ms
+constexpr size_t warmFaces = 20'000;                     // from this size on the worker also makes what drawing needs
+using Wanted = std::function<bool(const StepRecord&)>;
+using Clock = std::chrono::steady_clock;
+
+/// A move: to a position, or forward to the first new step that is wanted.
+struct Command {
+    size_t target = 0;
+    Wanted wanted;      // set: search onwards from the last step seen
+    QString fallback;   // a phase: when the search ends without it, its first step
+    bool soft = false;  // waits for the move before it rather than breaking it off
+    bool batch = false;
+    QString title;
+};
+
+/// The running algorithm. Used by the worker only.
+struct Engine {
+    StartRun start;
+    std::unique_ptr<Stepper> stepper;
+    std::optional<Value> atStart;
+};
+
+/// One command on its way. What follows `done` is written by the worker before, read by others after.
+struct Task {
+    Command command;
+    std::shared_ptr<Engine> engine;
+    Progress progress;
+    StepHistory passed;
+    std::string fallbackPhase;
+    size_t fallbackPosition = StepHistory::npos;
+
+    std::mutex mutex;
+    std::condition_variable ended;
+    bool done = false;
+
+    bool cancelled = false;
+    QString error;
+    StepRecord record;
+    Value value;
+    size_t position = 0, length = 0;
+    double seconds = 0;
+};
+
+void search(Stepper& stepper, Task& task, const Wanted& wanted)
+{
+    const size_t last = task.passed.end() - 1;
+    if (stepper.position() != last) stepper.seek(last, &task.progress);
+    bool found = false;
+    stepper.seekWhere(
+        [&](const StepRecord& r) {
+            task.passed.add(r);
+            found = wanted(r);
+            return found;
+        },
+        &task.progress);
+    task.passed.add(stepper.step());  // the end, which is not searched
+    if (found || task.command.fallback.isEmpty()) return;
+    const size_t newer = task.passed.nextOf(task.fallbackPhase, 0);
+    const size_t first = std::min(task.fallbackPosition, newer);
+    if (first != StepHistory::npos) stepper.seek(first, &task.progress);
+}
+
+void move(Stepper& stepper, Task& task)
+{
+    const Command& c = task.command;
+    if (c.wanted)
+        search(stepper, task, c.wanted);
+    else if (c.target < task.passed.end())
+        stepper.seek(c.target, &task.progress);
+    else
+        search(stepper, task, [&](const StepRecord& r) { return r.index >= c.target; });
+}
+
+void warm(const Value& value)
+{
+    const Mesh* mesh = std::get_if<Mesh>(&value);
+    if (!mesh || mesh->faceCount() < warmFaces) return;
+    mesh->vertexNormals();
+    mesh->triangulation();
+}
+
+void execute(Task& task)
+{
+    Engine& e = *task.engine;
+    const auto started = Clock::now();
+    try {
+        if (!e.stepper) e.stepper = std::make_unique<Stepper>(e.start);
+        move(*e.stepper, task);
+        task.record = e.stepper->step();
+        task.position = e.stepper->position();
+        task.length = e.stepper->length();
+        // Before its first step an algorithm shows nothing: the input stands for it.
+        task.value = task.position == 0 && e.atStart ? *e.atStart : mw::valueOf(e.stepper->value());
+        warm(task.value);
+    } catch (const Cancelled&) {
+        task.cancelled = true;
+    } catch (const std::exception& x) {
+        task.error = QString::fromUtf8(x.what());
+        e.stepper.reset();  // an algorithm that threw cannot go on; it begins anew
+    }
+    task.seconds = std::chrono::duration<double>(Clock::now() - started).count();
+}
+
+/// Shows a move in the jobs list and lets it be cancelled there.
+void showAsJob(Jobs& jobs, const std::shared_ptr<Task>& task)
+{
+    jobs.start(task->command.title, [task](Progress& p) -> std::function<void()> {
+        std::unique_lock lock(task->mutex);
+        while (!task->ended.wait_for(lock, std::chrono::milliseconds(40), [&] { return task->done; })) {
+            p.fraction = task->progress.fraction.load();
+            if (p.cancelled) task->progress.cancelled = true;
+        }
+        if (task->cancelled) throw Cancelled{};
+        if (!task->error.isEmpty()) throw Error(task->error.toStdString());
+        return [] {};
+    });
+}
+
+bool sameShape(const MeshObject& a, const MeshObject& b)
+{
+    return a.base.positions().data() == b.base.positions().data() && a.base.cornerVertex().data() == b.base.cornerVertex().data() &&
+           a.base.faceStart().data() == b.base.faceStart().data() && a.stack == b.stack;
+}
+
+}  // namespace
+
+struct StepSession::Impl {
+    StepSession& self;
+    std::shared_ptr<Engine> engine;
+    Value input, value;
+    StepHistory history;
+    StepRecord record;
+    size_t position = 0, length = 0;
+    QString error;
+    std::shared_ptr<Task> current;
+    std::optional<Command> pending;
+    Unit unit = Unit::Step;
+    QString unitPhase;
+    double speed = 4;
+    size_t batchSteps = 16;  // of playing as fast as it goes; follows the time they take
+    std::shared_ptr<const MeshObject> openedOn;
+    bool edited = false;
+    std::shared_ptr<void> subscription;
+    QThreadPool pool;
+
+    explicit Impl(StepSession& s) : self(s) { pool.setMaxThreadCount(1); }
+
+    void abandon();
+    void submit(Command c);
+    void run(Command c);
+    void finish(const std::shared_ptr<Task>& task);
+    void take(Task& task);
+    size_t goal() const;
+    std::optional<size_t> knownNext(size_t from) const;
+    Wanted onwards(size_t from, size_t least) const;
+    void advance(size_t steps, bool batch);
+    QString name() const { return QString::fromStdString(self.op_->title); }
+};
+
+// Whatever is under way is for nobody any more.
+void StepSession::Impl::abandon()
+{
+    if (current) current->progress.cancelled = true;
+    current.reset();
+    pending.reset();
+    self.seeking_ = false;
+}
+
+void StepSession::Impl::submit(Command c)
+{
+    if (!engine || !engine->start) return;  // its parameters were refused
+    if (!current) return run(std::move(c));
+    if (!c.soft) current->progress.cancelled = true;
+    pending = std::move(c);
+}
+
+void StepSession::Impl::run(Command c)
+{
+    auto task = std::make_shared<Task>();
+    task->engine = engine;
+    task->passed = StepHistory(history.end());
+    task->fallbackPhase = c.fallback.toStdString();
+    if (!c.fallback.isEmpty()) task->fallbackPosition = history.nextOf(task->fallbackPhase, 0);
+    task->command = std::move(c);
+    current = task;
+    self.seeking_ = true;
+    pool.start([task, session = &self] {
+        execute(*task);
+        {
+            std::lock_guard lock(task->mutex);
+            task->done = true;
+        }
+        task->ended.notify_all();
+        // The session waits for its worker before it goes, so it is there to be told.
+        QMetaObject::invokeMethod(
+            session, [task, session] { session->impl_->finish(task); }, Qt::QueuedConnection);
+    });
+    if (!task->command.batch) {
+        std::unique_lock lock(task->mutex);
+        if (task->ended.wait_for(lock, patience, [&] { return task->done; })) {
+            lock.unlock();
+            return finish(task);
+        }
+        QTimer::singleShot(jobAfter, &self, [this, task] {
+            if (current == task) showAsJob(self.jobs_, task);
+        });
+    }
+    emit self.changed();
+}
+
+void StepSession::Impl::finish(const std::shared_ptr<Task>& task)
+{
+    if (task != current) return;  // taken already, or abandoned
+    current.reset();
+    self.seeking_ = false;
+    take(*task);
+    if (pending) {
+        Command next = std::move(*pending);
+        pending.reset();
+        return run(std::move(next));
+    }
+    emit self.changed();
+}
+
+void StepSession::Impl::take(Task& task)
+{
+    history.append(task.passed);
+    if (!task.cancelled) error = task.error;
+    if (!task.error.isEmpty()) self.timer_.stop();
+    if (task.command.batch && task.seconds < batchLeast) batchSteps = std::min<size_t>(2 * batchSteps, 1 << 20);
+    if (task.command.batch && task.seconds > batchMost) batchSteps = std::max<size_t>(batchSteps / 2, 1);
+    if (task.cancelled || !task.error.isEmpty()) return;
+    record = std::move(task.record);
+    value = std::move(task.value);
+    position = task.position;
+    length = task.length;
+    if (length > 0 && position + 1 >= length) self.timer_.stop();
+}
+
+// Where the moves already ordered will lead.
+size_t StepSession::Impl::goal() const
+{
+    if (pending && !pending->wanted) return pending->target;
+    if (current && !current->command.wanted && !current->progress.cancelled) return current->command.target;
+    return position;
+}
+
+// The next place to stop at after `from`, if it was passed before.
+std::optional<size_t> StepSession::Impl::knownNext(size_t from) const
+{
+    if (length > 0 && from + 1 >= length) return length - 1;
+    size_t found = StepHistory::npos;
+    if (unit == Unit::Step) return from + 1;
+    if (unit == Unit::Named) found = history.nextOf(unitPhase.toStdString(), from);
+    for (size_t p = from + 1; unit == Unit::Phase && p < history.end(); ++p)
+        if (history.phaseAt(p) != history.phaseAt(from)) {
+            found = p;
+            break;
+        }
+    if (found != StepHistory::npos) return found;
+    if (length > 0 && history.end() >= length) return length - 1;
+    return std::nullopt;
+}
+
+// The same for steps that were not passed yet. It runs on the worker, so it holds copies.
+Wanted StepSession::Impl::onwards(size_t from, size_t least) const
+{
+    if (unit == Unit::Named) return [least, phase = unitPhase.toStdString()](const StepRecord& r) { return r.index >= least && r.phase == phase; };
+    return [least, before = history.phaseAt(from)](const StepRecord& r) { return r.index >= least && r.phase != before; };
+}
+
+void StepSession::Impl::advance(size_t steps, bool batch)
+{
+    const size_t from = goal();
+    const QString title = self.tr("%1: next step").arg(name());
+    if (std::optional<size_t> next = knownNext(from + steps - 1)) return submit({*next, {}, {}, true, batch, title});
+    submit({0, onwards(from, from + steps), {}, true, batch, title});
+}
+
+StepSession::StepSession(Document& document, Jobs& jobs, QObject* parent)
+    : QObject(parent), impl_(std::make_unique<Impl>(*this)), document_(document), jobs_(jobs)
+{
+    connect(&timer_, &QTimer::timeout, this, &StepSession::tick);
+    impl_->subscription = document_.subscribe([this](const Change&) { documentChanged(); });
+}
+
+StepSession::~StepSession()
+{
+    impl_->abandon();
+    impl_->pool.waitForDone();
+}
+
+void StepSession::open(const Operation& op, NodeId node, const Value& input, ParameterValues values)
+{
+    timer_.stop();
+    impl_->abandon();
+    const bool other = op_ != &op;
+    op_ = &op;
+    node_ = node;
+    values_ = std::move(values);
+    if (other) impl_->unit = Unit::Step, impl_->unitPhase.clear();
+    impl_->input = input;
+    impl_->engine = std::make_shared<Engine>();
+    impl_->history = StepHistory();
+    impl_->history.add({});
+    impl_->record = {};
+    impl_->value = op.accepts == op.yields ? input : Value{};
+    if (op.accepts == op.yields) impl_->engine->atStart = input;
+    impl_->position = impl_->length = 0;
+    impl_->error.clear();
+    impl_->edited = false;
+    const Node* n = document_.scene().find(node);
+    impl_->openedOn = n && n->mesh ? document_.scene().shared(n->mesh) : nullptr;
+    try {
+        impl_->engine->start = stepping(op, input, values_);
+    } catch (const Error& e) {
+        impl_->error = QString::fromUtf8(e.what());
+    }
+    emit opened();
+    emit changed();
+}
+
+void StepSession::close()
+{
+    if (!op_) return;
+    timer_.stop();
+    impl_->abandon();
+    impl_->engine.reset();
+    impl_->input = impl_->value = Value{};
+    impl_->history = StepHistory();
+    impl_->record = {};
+    impl_->position = impl_->length = 0;
+    impl_->openedOn.reset();
+    op_ = nullptr;
+    node_ = {};
+    emit closed();
+    emit changed();
+}
+
+void StepSession::setValues(ParameterValues values)
+{
+    if (!op_) return;
+    const Value input = impl_->input;
+    open(*op_, node_, input, std::move(values));
+}
+
+const StepRecord& StepSession::step() const
+{
+    return impl_->record;
+}
+
+const Value* StepSession::value() const
+{
+    return op_ ? &impl_->value : nullptr;
+}
+
+size_t StepSession::position() const
+{
+    return impl_->position;
+}
+
+size_t StepSession::length() const
+{
+    return impl_->length;
+}
+
+size_t StepSession::estimatedLength() const
+{
+    if (impl_->length > 0) return impl_->length;
+    const StepHistory& h = impl_->history;
+    if (h.progress() < 0.02f || h.progressAt() < 8) return 0;
+    return std::max(h.end(), size_t(double(h.progressAt()) / h.progress()));
+}
+
+bool StepSession::atEnd() const
+{
+    return impl_->length > 0 && impl_->position + 1 >= impl_->length;
+}
+
+const QString& StepSession::error() const
+{
+    return impl_->error;
+}
+
+const std::vector<std::pair<size_t, double>>& StepSession::series(const std::string& number) const
+{
+    return impl_->history.series(number);
+}
+
+std::vector<std::string> StepSession::seriesNames() const
+{
+    return impl_->history.seriesNames();
+}
+
+const StepHistory& StepSession::history() const
+{
+    return impl_->history;
+}
+
+void StepSession::setUnit(Unit u, const QString& phase)
+{
+    impl_->unit = u;
+    impl_->unitPhase = phase;
+    emit changed();
+}
+
+StepSession::Unit StepSession::unit() const
+{
+    return impl_->unit;
+}
+
+const QString& StepSession::unitPhase() const
+{
+    return impl_->unitPhase;
+}
+
+void StepSession::setSpeed(double stepsPerSecond)
+{
+    impl_->speed = stepsPerSecond;
+    timer_.setInterval(stepsPerSecond > 0 ? std::max(1, int(1000 / stepsPerSecond)) : 15);
+}
+
+double StepSession::speed() const
+{
+    return impl_->speed;
+}
+
+bool StepSession::edited() const
+{
+    return impl_->edited;
+}
+
+void StepSession::keepAsBase()
+{
+    const Node* n = op_ ? document_.scene().find(node_) : nullptr;
+    const Mesh* mesh = std::get_if<Mesh>(&impl_->value);
+    if (!n || !n->mesh || !mesh) return;
+    Scene next = document_.scene();
+    MeshObject object = *next.find(n->mesh);
+    object.base = *mesh;
+    object.stack.clear();
+    const QString title = tr("%1: step %2 as base").arg(impl_->name(), QLocale().toString(qulonglong(impl_->position)));
+    next.set(n->mesh, std::move(object));
+    close();
+    document_.commit(title.toStdString(), std::move(next));
+}
+
+void StepSession::documentChanged()
+{
+    if (!op_ || !node_) return;
+    const Node* n = document_.scene().find(node_);
+    if (!n || !n->mesh) return close();
+    const std::shared_ptr<const MeshObject> now = document_.scene().shared(n->mesh);
+    const bool edited = impl_->openedOn && now != impl_->openedOn && !sameShape(*now, *impl_->openedOn);
+    if (edited == impl_->edited) return;
+    impl_->edited = edited;
+    if (edited) timer_.stop();
+    emit changed();
+}
+
+void StepSession::play()
+{
+    if (!op_ || playing()) return;
+    if (atEnd()) impl_->submit({0, {}, {}, false, false, impl_->name()});
+    setSpeed(impl_->speed);
+    timer_.start();
+    emit changed();
+}
+
+void StepSession::pause()
+{
+    if (!playing()) return;
+    timer_.stop();
+    emit changed();
+}
+
+void StepSession::tick()
+{
+    if (impl_->current) return;
+    if (atEnd()) return pause();
+    impl_->advance(impl_->speed > 0 ? 1 : impl_->batchSteps, impl_->speed <= 0);
+}
+
+void StepSession::forward()
+{
+    if (!op_) return;
+    pause();
+    impl_->advance(1, false);
+}
+
+void StepSession::back()
+{
+    if (!op_) return;
+    pause();
+    const size_t from = impl_->goal();
+    if (from == 0) return;
+    size_t to = from - 1;
+    const StepHistory& h = impl_->history;
+    if (impl_->unit == Unit::Named) to = h.previousOf(impl_->unitPhase.toStdString(), from);
+    // To the start of this phase, or of the one before when it stands there already.
+    if (impl_->unit == Unit::Phase)
+        while (to > 0 && h.phaseAt(to - 1) == h.phaseAt(to)) --to;
+    impl_->submit({to == StepHistory::npos ? 0 : to, {}, {}, true, false, tr("%1: step back").arg(impl_->name())});
+}
+
+void StepSession::first()
+{
+    seek(0);
+}
+
+void StepSession::last()
+{
+    if (!op_) return;
+    pause();
+    const QString title = tr("%1: run to the end").arg(impl_->name());
+    if (length() > 0) return impl_->submit({length() - 1, {}, {}, false, false, title});
+    impl_->submit({0, [](const StepRecord&) { return false; }, {}, false, false, title});
+}
+
+void StepSession::seek(size_t position)
+{
+    if (!op_) return;
+    pause();
+    impl_->submit({position, {}, {}, false, false, tr("%1: go to step %2").arg(impl_->name(), QLocale().toString(qulonglong(position)))});
+}
+
+void StepSession::scrub(size_t position)
+{
+    if (!op_) return;
+    pause();
+    impl_->submit({position, {}, {}, true, false, tr("%1: go to step %2").arg(impl_->name(), QLocale().toString(qulonglong(position)))});
+}
+
+void StepSession::toPhase(const QString& phase)
+{
+    if (!op_) return;
+    pause();
+    const std::string name = phase.toStdString();
+    const QString title = tr("%1: run to %2").arg(impl_->name(), phase);
+    const size_t known = impl_->history.nextOf(name, impl_->position);
+    if (known != StepHistory::npos) return impl_->submit({known, {}, {}, false, false, title});
+    impl_->submit({0, [name](const StepRecord& r) { return r.phase == name; }, phase, false, false, title});
+}
+
+void StepSession::toLine(unsigned line)
+{
+    if (!op_) return;
+    pause();
+    const QString title = tr("%1: run to line %2").arg(impl_->name()).arg(line);
+    const size_t known = impl_->history.nextAtLine(line, impl_->position);
+    if (known != StepHistory::npos) return impl_->submit({known, {}, {}, false, false, title});
+    impl_->submit({0, [line](const StepRecord& r) { return r.line == line; }, {}, false, false, title});
+}
+
+}  // namespace mw

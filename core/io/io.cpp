@@ -1,0 +1,129 @@
+#include "core/io/io.h"
+
+#include <algorithm>
+#include <cctype>
+#include <new>
+
+#include "core/io/file.h"
+#include "core/io/gltf.h"
+#include "core/io/obj.h"
+#include "core/io/ply.h"
+
+namespace mw {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+enum class Type { Unknown, Obj, Ply, Gltf };
+
+std::string ending(const fs::path& file)
+{
+    std::string e = file.extension().string();
+    std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return e;
+}
+
+Type byEnding(const fs::path& file)
+{
+    const std::string e = ending(file);
+    if (e == ".obj") return Type::Obj;
+    if (e == ".ply") return Type::Ply;
+    if (e == ".gltf" || e == ".glb") return Type::Gltf;
+    return Type::Unknown;
+}
+
+/// Only what cannot be mistaken.
+Type byContent(std::string_view start)
+{
+    if (start.starts_with("ply\n") || start.starts_with("ply\r")) return Type::Ply;
+    if (start.starts_with("glTF")) return Type::Gltf;
+    return Type::Unknown;
+}
+
+/// For files of an ending nobody knows: does a line look like an OBJ vertex?
+bool looksLikeObj(std::string_view start)
+{
+    if (start.starts_with("v ")) return true;
+    return start.find("\nv ") != std::string_view::npos && start.find('\0') == std::string_view::npos;
+}
+
+Type typeOf(const fs::path& file, std::string_view start)
+{
+    if (Type t = byContent(start); t != Type::Unknown) return t;
+    if (Type t = byEnding(file); t != Type::Unknown) return t;
+    if (looksLikeObj(start)) return Type::Obj;
+    const size_t first = start.find_first_not_of(" \t\r\n");
+    if (first != std::string_view::npos && start[first] == '{' && start.find("\"asset\"") != std::string_view::npos) return Type::Gltf;
+    return Type::Unknown;
+}
+
+std::string listOfFormats(bool FileFormat::*can)
+{
+    std::string list;
+    for (const FileFormat& f : fileFormats())
+        if (f.*can) {
+            list += (list.empty() ? "" : ", ") + f.name + " (";
+            for (size_t i = 0; i < f.extensions.size(); ++i) list += (i ? " " : "") + f.extensions[i];
+            list += ")";
+        }
+    return list;
+}
+
+}  // namespace
+
+const std::vector<FileFormat>& fileFormats()
+{
+    static const std::vector<FileFormat> formats{
+        {"glTF 2.0", {".glb", ".gltf"}, true, true},
+        {"Wavefront OBJ", {".obj"}, true, true},
+        {"Stanford PLY", {".ply"}, true, true},
+    };
+    return formats;
+}
+
+Imported readFile(const fs::path& file, Progress* progress)
+{
+    try {
+        switch (typeOf(file, readStart(file, size_t(1) << 16))) {
+            case Type::Obj:
+                return readObj(file, progress);
+            case Type::Ply:
+                return readPly(file, progress);
+            case Type::Gltf:
+                return readGltf(file, progress);
+            case Type::Unknown:
+                break;
+        }
+    } catch (const std::bad_alloc&) {
+        throw Error(file.string(), "there is not enough memory to read it");
+    }
+    throw Error(file.string(), "its kind is not known; these can be read: " + listOfFormats(&FileFormat::reads));
+}
+
+std::vector<Warning> writeFile(const Scene& scene, const fs::path& file, const WriteOptions& options, Progress* progress)
+{
+    switch (byEnding(file)) {
+        case Type::Obj:
+            return writeObj(scene, file, progress);
+        case Type::Ply:
+            return writePly(scene, file, options, progress);
+        case Type::Gltf:
+            return writeGltf(scene, file, options, progress);
+        case Type::Unknown:
+            break;
+    }
+    throw Error(file.string(), "its ending says no kind that can be written; these can: " + listOfFormats(&FileFormat::writes));
+}
+
+Scene sceneOf(Mesh mesh, std::string name)
+{
+    Scene scene;
+    Node node;
+    node.name = name;
+    node.mesh = scene.add(MeshObject{std::move(name), std::move(mesh), {}, {}});
+    scene.add(std::move(node));
+    return scene;
+}
+
+}  // namespace mw

@@ -40,8 +40,12 @@ Operation entry(Operation about, Generator (*algorithm)(In, P, Stage<Out>&))
     about.accepts = kindOfType<In>;
     about.yields = kindOfType<Out>;
     about.parameters = described<P>();
-    about.start = [algorithm](const Value& input, const ParameterValues& values, bool watched) -> std::unique_ptr<Run> {
-        return std::make_unique<RunOf<Out>>(watched, [&](Stage<Out>& stage) { return algorithm(std::get<In>(input), filled<P>(values), stage); });
+    about.start = [algorithm](const Value& value, const ParameterValues& values, bool watched) -> std::unique_ptr<Run> {
+        const In& input = std::get<In>(value);
+        Out initial;
+        if constexpr (std::is_same_v<In, Out>) initial = input;
+        return std::make_unique<RunOf<Out>>(
+            watched, [&](Stage<Out>& stage) { return algorithm(input, filled<P>(values), stage); }, std::move(initial));
     };
     return about;
 }

@@ -21,7 +21,8 @@ struct Snapshot {
 template <class T>
 class Stage {
 public:
-    explicit Stage(bool watched) : watched_(watched) {}
+    /// `initial` is what there is before the algorithm has begun: its input where that is of the same type.
+    explicit Stage(bool watched, T initial = {}) : watched_(watched), initial_(std::move(initial)) {}
 
     /// True when someone looks at every step. Else a hot loop yields only now and then, for progress and cancelling:
     /// `if (stage.watched() || (++n & 1023) == 0) co_yield ...`. The result must not depend on it.
@@ -36,10 +37,11 @@ public:
     }
 
     bool finished() const { return result_.has_value(); }
-    T value() const { return result_ ? *result_ : current_ ? current_() : T{}; }
+    T value() const { return result_ ? *result_ : current_ ? current_() : initial_; }
 
 private:
     bool watched_;
+    T initial_;
     std::function<T()> current_;
     std::optional<T> result_;
 };
@@ -65,7 +67,7 @@ template <class T>
 class RunOf final : public Run {
 public:
     template <class Start>
-    RunOf(bool watched, const Start& start) : stage_(watched), generator_(start(stage_))
+    RunOf(bool watched, const Start& start, T initial = {}) : stage_(watched, std::move(initial)), generator_(start(stage_))
     {}
     bool advance() override { return generator_.next(); }
     const Step& step() const override { return generator_.step(); }

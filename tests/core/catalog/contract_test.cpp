@@ -1,0 +1,216 @@
+// What every entry of the catalog must hold, run over the whole list: whoever adds an operation gets these tests without writing them.
+#include <cmath>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/catalog/catalog.h"
+#include "core/steps/stepper.h"
+
+namespace mw {
+namespace {
+
+// A grid of quads on a wave, open, with every kind of attribute: what an operation carries can be told from the places.
+Mesh testMesh(bool triangles)
+{
+    const uint32_t n = 9;
+    Array<glm::vec3> positions;
+    for (uint32_t y = 0; y <= n; ++y)
+        for (uint32_t x = 0; x <= n; ++x) positions.push_back({float(x) / n, 0.1f * std::sin(float(x + 2 * y)), float(y) / n});
+    Array<uint32_t> start{0u}, corners;
+    const auto face = [&](std::initializer_list<uint32_t> vertices) {
+        corners.insert(corners.end(), vertices);
+        start.push_back(uint32_t(corners.size()));
+    };
+    for (uint32_t y = 0; y < n; ++y)
+        for (uint32_t x = 0; x < n; ++x) {
+            const uint32_t a = y * (n + 1) + x, b = a + n + 1;
+            if (triangles) {
+                face({a, b, b + 1});
+                face({a, b + 1, a + 1});
+            } else {
+                face({a, b, b + 1, a + 1});
+            }
+        }
+    const Mesh bare(positions, start, corners);
+    Array<float> texcoord, place;
+    for (uint32_t v : bare.cornerVertex()) texcoord.insert(texcoord.end(), {positions[v].x, positions[v].z});
+    for (const glm::vec3& p : positions) place.insert(place.end(), {p.x, p.y, p.z});
+    Array<int32_t> material;
+    for (size_t f = 0; f < bare.faceCount(); ++f) material.push_back(bare.positions()[bare.face(f)[0]].x < 0.5f ? 0 : 1);
+    return bare.with(floatAttribute("texcoord", Domain::Corner, 2, texcoord))
+        .with(floatAttribute("place", Domain::Vertex, 3, place))
+        .with(integerAttribute("material", Domain::Face, 1, material));
+}
+
+Value inputFor(const Operation& op)
+{
+    if (op.accepts == Kind::Mesh) return testMesh(true);
+    return std::monostate{};
+}
+
+class Contract : public testing::TestWithParam<const Operation*> {};
+
+TEST_P(Contract, IsDescribed)
+{
+    const Operation& op = *GetParam();
+    EXPECT_FALSE(op.title.empty());
+    EXPECT_FALSE(op.summary.empty());
+    EXPECT_FALSE(op.category.empty());
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(MESHWRIGHT_SOURCE_DIR) / op.source)) << op.source;
+    std::set<std::string> names;
+    for (const Parameter& p : op.parameters) {
+        EXPECT_TRUE(names.insert(p.name).second) << p.name;
+        EXPECT_FALSE(p.about.title.empty()) << p.name;
+        EXPECT_FALSE(p.about.help.empty()) << p.name;
+        EXPECT_NO_THROW(checked(op.parameters, {{p.name, p.initial}})) << p.name;
+    }
+}
+
+TEST_P(Contract, ParametersSurviveJsonAndText)
+{
+    const Operation& op = *GetParam();
+    ParameterValues values;
+    for (const Parameter& p : op.parameters) {
+        values[p.name] = p.initial;
+        if (p.type == ParameterType::Choice) values[p.name] = p.choices.back();
+        if (p.type == ParameterType::Flag) values[p.name] = !std::get<bool>(p.initial);
+        if (p.type == ParameterType::Number && std::isfinite(p.about.max)) values[p.name] = p.about.max;
+    }
+    EXPECT_EQ(parametersFromJson(op.parameters, nlohmann::json::parse(toJson(values).dump())), values);
+    const std::string text = printed(op.parameters, values);
+    EXPECT_EQ(printed(op.parameters, parsed(op.parameters, text)), text);
+}
+
+TEST_P(Contract, SteppedEqualsRunInOneGo)
+{
+    const Operation& op = *GetParam();
+    const Value input = inputFor(op);
+    const uint64_t before = contentHash(input);
+    const uint64_t atOnce = contentHash(apply(op, input, {}));
+    Stepper s(stepping(op, input, {}));
+    while (s.forward()) EXPECT_FALSE(s.step().phase.empty());
+    EXPECT_EQ(contentHash(valueOf(s.value())), atOnce);
+    EXPECT_EQ(contentHash(apply(op, input, {})), atOnce) << "twice the same";
+    EXPECT_EQ(contentHash(input), before) << "the input is never changed";
+}
+
+TEST_P(Contract, BackAndForthGivesTheSameState)
+{
+    const Operation& op = *GetParam();
+    Stepper s(stepping(op, inputFor(op), {}), size_t(1) << 20);
+    std::vector<uint64_t> hashes{contentHash(valueOf(s.value()))};
+    while (hashes.size() < 60 && s.forward()) hashes.push_back(contentHash(valueOf(s.value())));
+    for (size_t i = hashes.size(); i-- > 0;) {
+        s.seek(i);
+        EXPECT_EQ(contentHash(valueOf(s.value())), hashes[i]) << "step " << i;
+    }
+    s.seek(hashes.size() - 1);
+    EXPECT_EQ(contentHash(valueOf(s.value())), hashes.back());
+}
+
+TEST_P(Contract, CancellingAndLettingGoLeavesNothingBehind)
+{
+    const Operation& op = *GetParam();
+    const Value input = inputFor(op);
+    const uint64_t before = contentHash(input);
+    Progress cancelled;
+    cancelled.cancelled = true;
+    try {
+        apply(op, input, {}, &cancelled);  // one without any pause may end
+    } catch (const Cancelled&) {
+    }
+    const std::unique_ptr<Run> run = stepping(op, input, {})(true);
+    for (int i = 0; i < 7 && run->advance(); ++i) run->snapshot();
+    EXPECT_EQ(contentHash(input), before);
+}
+
+TEST_P(Contract, OddMeshesGiveAResultOrAnError)
+{
+    const Operation& op = *GetParam();
+    if (op.accepts != Kind::Mesh) GTEST_SKIP() << "takes no mesh";
+    const Array<glm::vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    const Mesh odd[] = {
+        Mesh(),
+        Mesh(points, Array<uint32_t>{0u}, Array<uint32_t>{}),
+        Mesh::triangles(points, Array<uint32_t>{0, 1, 2, 0, 1, 3, 0, 1, 4}),                 // three faces on an edge
+        Mesh::triangles(points, Array<uint32_t>{0, 0, 1, 1, 1, 1, 2, 3, 4}),                 // degenerate ones
+        Mesh::triangles(points, Array<uint32_t>{0, 1, 2, 0, 1, 2, 2, 1, 0}),                 // doubled, and turned round
+        Mesh(points, Array<uint32_t>{0, 2, 3, 8}, Array<uint32_t>{0, 1, 2, 0, 1, 2, 3, 4}),  // two corners, one corner, five corners
+        testMesh(false),
+    };
+    for (const Mesh& m : odd) {
+        try {
+            const Value v = apply(op, m, {});
+            EXPECT_EQ(kindOf(v), op.yields);
+        } catch (const Error& e) {
+            EXPECT_GT(std::string(e.what()).size(), 10u) << "an error says what, where and what to do";
+        }
+    }
+}
+
+TEST_P(Contract, AttributesAreCarriedAsStated)
+{
+    const Operation& op = *GetParam();
+    if (op.accepts != Kind::Mesh || op.yields != Kind::Mesh) GTEST_SKIP() << "no modifier";
+    const Mesh out = std::get<Mesh>(apply(op, testMesh(true), {}));
+    const auto expectKept = [&](Carried c, const char* name, Domain d) {
+        if (c == Carried::NotApplicable) return;
+        const Attribute* a = out.find(name, d);
+        EXPECT_EQ(a != nullptr, c != Carried::Dropped) << name;
+        if (a) EXPECT_EQ(a->size(), out.count(d)) << name;
+    };
+    ASSERT_NE(op.attributes.vertex, Carried::NotApplicable);
+    expectKept(op.attributes.vertex, "place", Domain::Vertex);
+    expectKept(op.attributes.corner, "texcoord", Domain::Corner);
+    expectKept(op.attributes.face, "material", Domain::Face);
+    // "place" began as the position; whatever is mixed as positions are stays it, whatever is read off the surface stays near it.
+    if (const Attribute* place = out.find("place", Domain::Vertex))
+        for (size_t v = 0; v < out.vertexCount(); ++v)
+            for (int k = 0; k < 3; ++k)
+                EXPECT_NEAR(place->at(v, k), out.positions()[v][k], op.attributes.vertex == Carried::Stencil ? 1e-5 : 0.1) << "vertex " << v;
+    // "texcoord" began as x, z.
+    if (const Attribute* t = out.find("texcoord", Domain::Corner))
+        for (size_t c = 0; c < out.cornerCount(); ++c) {
+            const glm::vec3 p = out.positions()[out.cornerVertex()[c]];
+            EXPECT_NEAR(t->at(c, 0), p.x, 0.15) << "corner " << c;
+            EXPECT_NEAR(t->at(c, 1), p.z, 0.15) << "corner " << c;
+        }
+    if (const Attribute* m = out.find("material", Domain::Face)) EXPECT_TRUE(m->integral());
+}
+
+TEST_P(Contract, ALessonExistsForWhateverHasSteps)
+{
+    const Operation& op = *GetParam();
+    const auto file = std::filesystem::path(MESHWRIGHT_SOURCE_DIR) / "resources/lessons" / (op.id + ".json");
+    EXPECT_EQ(op.steps, std::filesystem::exists(file)) << file;
+}
+
+std::vector<const Operation*> all()
+{
+    std::vector<const Operation*> list;
+    for (const Operation& op : catalog()) list.push_back(&op);
+    return list;
+}
+
+std::string testName(const testing::TestParamInfo<const Operation*>& info)
+{
+    std::string name = info.param->id;
+    for (char& c : name)
+        if (c == '-') c = '_';
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalog, Contract, testing::ValuesIn(all()), testName);
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Contract);
+
+TEST(Catalog, IdsAreUniqueAndUnknownOnesAreExplained)
+{
+    std::set<std::string> ids;
+    for (const Operation& op : catalog()) EXPECT_TRUE(ids.insert(op.id).second) << op.id;
+    EXPECT_THROW(operation("no-such-thing-at-all"), Error);
+}
+
+}  // namespace
+}  // namespace mw

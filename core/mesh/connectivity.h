@@ -1,0 +1,32 @@
+// Edges of polygons gathered by sorting: the base of edge lists, rings and reports. Works on any soup.
+#pragma once
+#include "core/mesh/mesh.h"
+#include "core/mesh/rings.h"
+
+namespace mw {
+
+/// The sides of faces by edge. Side c runs from corner c to the next corner of its face; sides from a vertex to itself are left out.
+/// Edges are ordered by their lower vertex, then by the other; the sides of one edge ascend.
+struct EdgeSides {
+    Array<uint32_t> start{0u};  ///< edge e has the sides corner[start[e]] .. corner[start[e+1]-1]
+    Array<uint32_t> corner;
+    Array<uint32_t> ends;  ///< two vertices an edge, the lower first
+
+    size_t size() const { return start.size() - 1; }
+    std::span<const uint32_t> sides(size_t e) const { return {corner.data() + start[e], start[e + 1] - start[e]}; }
+};
+
+/// Of all faces, or of those whose entry in `leftOut` is 0.
+EdgeSides edgeSidesOf(const Mesh& mesh, std::span<const uint8_t> leftOut = {});
+
+/// Pairs of vertices, see Mesh::edges().
+Array<uint32_t> edgesOf(const Mesh& mesh);
+Rings ringsOf(const Mesh& mesh);
+
+/// 1 for every face with fewer than three corners or a vertex twice; empty when there is none.
+std::vector<uint8_t> degenerateFacesOf(const Mesh& mesh);
+
+/// Face of each corner.
+Array<uint32_t> cornerFacesOf(const Mesh& mesh);
+
+}  // namespace mw

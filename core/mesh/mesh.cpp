@@ -152,6 +152,11 @@ Mesh Mesh::withGroupNames(std::vector<std::string> names) const
     return m;
 }
 
+const HalfedgeView& Mesh::halfedges() const
+{
+    return topologyCache_->halfedges.get([this] { return HalfedgeView(*this); });
+}
+
 const Rings& Mesh::rings() const
 {
     return topologyCache_->rings.get([this] { return ringsOf(*this); });

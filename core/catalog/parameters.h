@@ -32,11 +32,11 @@ using ParameterValue = std::variant<bool, int64_t, double, std::string, glm::dve
 
 /// What a describe() says beside name and default. Hard range min..max; soft range for sliders (NaN: the hard one).
 struct About {
-    std::string title, help, unit;
+    std::string title = {}, help = {}, unit = {};
     double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
     double softMin = std::numeric_limits<double>::quiet_NaN(), softMax = std::numeric_limits<double>::quiet_NaN();
     bool logarithmic = false, advanced = false;
-    std::string when;  ///< "stop=ratio": shown only while that choice holds (still accepted otherwise)
+    std::string when = {};  ///< "stop=ratio": shown only while that choice holds (still accepted otherwise)
 };
 
 struct Parameter {

@@ -121,7 +121,7 @@ TEST_P(Contract, CancellingAndLettingGoLeavesNothingBehind)
         apply(op, input, {}, &cancelled);  // one without any pause may end
     } catch (const Cancelled&) {
     }
-    const std::unique_ptr<Run> run = stepping(op, input, {})(true);
+    const std::unique_ptr<mw::Run> run = stepping(op, input, {})(true);
     for (int i = 0; i < 7 && run->advance(); ++i) run->snapshot();
     EXPECT_EQ(contentHash(input), before);
 }
@@ -159,25 +159,31 @@ TEST_P(Contract, AttributesAreCarriedAsStated)
         if (c == Carried::NotApplicable) return;
         const Attribute* a = out.find(name, d);
         EXPECT_EQ(a != nullptr, c != Carried::Dropped) << name;
-        if (a) EXPECT_EQ(a->size(), out.count(d)) << name;
+        if (a) {
+            EXPECT_EQ(a->size(), out.count(d)) << name;
+        }
     };
     ASSERT_NE(op.attributes.vertex, Carried::NotApplicable);
     expectKept(op.attributes.vertex, "place", Domain::Vertex);
     expectKept(op.attributes.corner, "texcoord", Domain::Corner);
     expectKept(op.attributes.face, "material", Domain::Face);
     // "place" began as the position; whatever is mixed as positions are stays it, whatever is read off the surface stays near it.
-    if (const Attribute* place = out.find("place", Domain::Vertex))
+    if (const Attribute* place = out.find("place", Domain::Vertex)) {
+        const double tolerance = op.attributes.vertex == Carried::Stencil ? 1e-5 : 0.1;
         for (size_t v = 0; v < out.vertexCount(); ++v)
-            for (int k = 0; k < 3; ++k)
-                EXPECT_NEAR(place->at(v, k), out.positions()[v][k], op.attributes.vertex == Carried::Stencil ? 1e-5 : 0.1) << "vertex " << v;
+            for (int k = 0; k < 3; ++k) EXPECT_NEAR(place->at(v, k), out.positions()[v][k], tolerance) << "vertex " << v;
+    }
     // "texcoord" began as x, z.
-    if (const Attribute* t = out.find("texcoord", Domain::Corner))
+    if (const Attribute* t = out.find("texcoord", Domain::Corner)) {
         for (size_t c = 0; c < out.cornerCount(); ++c) {
             const glm::vec3 p = out.positions()[out.cornerVertex()[c]];
             EXPECT_NEAR(t->at(c, 0), p.x, 0.15) << "corner " << c;
             EXPECT_NEAR(t->at(c, 1), p.z, 0.15) << "corner " << c;
         }
-    if (const Attribute* m = out.find("material", Domain::Face)) EXPECT_TRUE(m->integral());
+    }
+    if (const Attribute* m = out.find("material", Domain::Face)) {
+        EXPECT_TRUE(m->integral());
+    }
 }
 
 TEST_P(Contract, ALessonExistsForWhateverHasSteps)

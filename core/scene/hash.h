@@ -1,4 +1,4 @@
-// Hashing the content of a scene, piece by piece (64-bit FNV-1a over words; not for secrets).
+// Hashing the content of a scene, piece by piece (64-bit FNV-1a over words; not for secrets). A name of its own: core/math has a Hasher.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -9,16 +9,16 @@
 
 namespace mw {
 
-class Hasher {
+class SceneHasher {
 public:
     template <class T>
-    requires std::is_arithmetic_v<T> Hasher& add(T v) { return bytes(&v, sizeof v); }
-    Hasher& add(const std::string& s)
+    requires std::is_arithmetic_v<T> SceneHasher& add(T v) { return bytes(&v, sizeof v); }
+    SceneHasher& add(const std::string& s)
     {
         add(s.size());
         return bytes(s.data(), s.size());
     }
-    Hasher& add(const ParameterValues& values)
+    SceneHasher& add(const ParameterValues& values)
     {
         for (const auto& [name, value] : values) {
             add(name).add(value.index());
@@ -33,7 +33,7 @@ public:
         }
         return *this;
     }
-    Hasher& bytes(const void* data, size_t n)
+    SceneHasher& bytes(const void* data, size_t n)
     {
         const auto* p = static_cast<const unsigned char*>(data);
         for (; n >= 8; p += 8, n -= 8) {

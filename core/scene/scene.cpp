@@ -338,7 +338,7 @@ void Scene::checkTree() const
 
 uint64_t contentHash(const Scene& s)
 {
-    Hasher h;
+    SceneHasher h;
     for (NodeId id : s.nodes()) {
         const Node& n = s.node(id);
         h.add(id.value).add(n.parent.value).add(n.mesh.value).add(n.visible).add(n.name).add(n.extras);

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "render/renderer.h"
@@ -16,9 +17,11 @@ struct Picture {
 
 class Offscreen {
 public:
-    Offscreen();  ///< throws Error naming what is missing (driver, version)
+    /// Throws Error naming what is missing (driver, version). With `debug`, the driver's complaints are collected.
+    explicit Offscreen(bool debug = false);
     ~Offscreen();
     Renderer& renderer();
+    const std::vector<std::string>& messages() const;  ///< errors and undefined behaviour the driver has reported
     Picture draw(const Frame& frame, int width, int height);
 
 private:

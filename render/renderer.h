@@ -32,6 +32,7 @@ struct DrawObject {
     glm::dmat4 worldFromLocal{1};
     Mesh mesh;
     std::vector<std::shared_ptr<const Material>> materials;  ///< by slot; may be empty
+    std::vector<std::shared_ptr<const Image>> baseImages;    ///< by slot: base colour pictures; null or missing: none
     std::shared_ptr<const HeatMap> heat;
     bool selected = false, hovered = false, dimmed = false;
 };

@@ -1,0 +1,113 @@
+// Uniform blocks and the small things every pass does.
+#include "render/draw_context.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_inverse.hpp>
+
+namespace mw {
+namespace {
+
+/// As in resources/shaders/camera.glsl and lights.glsl.
+struct CameraBlock {
+    glm::mat4 clipFromView;
+    glm::vec4 viewport, eye, skyTop, skyBottom;
+};
+struct LightsBlock {
+    glm::vec4 direction[3], light[3], sky, ground;
+};
+
+template <class Block>
+void uploadBlock(gl::Buffer& buffer, GLuint point, const Block& block)
+{
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(Block), &block, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, point, buffer.get());
+}
+
+LightsBlock studio()
+{
+    const auto towards = [](glm::vec3 d) { return glm::vec4(glm::normalize(d), 0); };
+    LightsBlock l;
+    l.direction[0] = towards({-0.45f, 0.72f, 0.62f});
+    l.direction[1] = towards({0.85f, 0.1f, 0.45f});
+    l.direction[2] = towards({0.25f, 0.5f, -0.85f});
+    l.light[0] = glm::vec4(0.80f * glm::vec3(1.0f, 0.985f, 0.96f), 0);
+    l.light[1] = glm::vec4(0.16f * glm::vec3(0.85f, 0.93f, 1.0f), 0);
+    l.light[2] = glm::vec4(0.30f * glm::vec3(0.92f, 0.96f, 1.0f), 0);
+    l.sky = glm::vec4(0.20f * glm::vec3(0.93f, 0.97f, 1.05f), 0);
+    l.ground = glm::vec4(0.05f * glm::vec3(1.05f, 1.0f, 0.95f), 0);
+    return l;
+}
+
+}  // namespace
+
+DrawContext::DrawContext(GpuState& state, const Frame& f, glm::ivec2 s) : gpu(state), frame(f), size(s), camera(f.camera)
+{
+    camera.fitClip(boundsOf(frame));
+    viewFromWorld = camera.viewFromWorld();
+    clipFromView = camera.clipFromView(double(size.x) / size.y);
+}
+
+const DrawObject* DrawContext::object(NodeId node) const
+{
+    for (const DrawObject& o : frame.objects)
+        if (o.node == node) return &o;
+    return nullptr;
+}
+
+ObjectBlock DrawContext::blockOf(const glm::dmat4& worldFromLocal) const
+{
+    ObjectBlock b;
+    const glm::dmat4 viewFromLocal = viewFromWorld * worldFromLocal;  // in double: things far from the origin do not tremble
+    b.viewFromLocal = viewFromLocal;
+    b.clipFromLocal = clipFromView * viewFromLocal;
+    const glm::dmat3 m(viewFromLocal);
+    b.normalFromLocal = std::abs(glm::determinant(m)) > 0 ? glm::dmat4(glm::inverseTranspose(m)) : glm::dmat4(m);
+    return b;
+}
+
+void DrawContext::setObject(const ObjectBlock& block)
+{
+    uploadBlock(gpu.objectBlock, mw::objectBlock, block);
+}
+
+void DrawContext::texture(TextureUnit unit, GLenum target, GLuint id) const
+{
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    glBindTexture(target, id);
+}
+
+void DrawContext::clearAttributes() const
+{
+    for (GLuint i = 0; i < 8; ++i) {
+        glDisableVertexAttribArray(i);
+        glVertexAttribDivisor(i, 0);
+    }
+}
+
+void DrawContext::blend() const
+{
+    glEnable(GL_BLEND);
+    if (frame.options.transparentBackground)
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    else
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+}
+
+void uploadFrameBlocks(DrawContext& c)
+{
+    const ThemeColors& theme = themeColors(c.frame.options.theme);
+    const bool perspective = c.camera.perspective;
+    const double pixel = 2 * std::tan(0.5 * c.camera.fieldOfView) / c.size.y * (perspective ? 1 : c.camera.distance);
+    CameraBlock block;
+    block.clipFromView = c.clipFromView;
+    block.viewport = {c.size.x, c.size.y, 1.0 / c.size.x, 1.0 / c.size.y};
+    block.eye = {c.frame.options.pixelRatio, pixel, perspective ? 1 : 0, c.camera.nearClip};
+    const float alpha = c.frame.options.transparentBackground ? 0.f : 1.f;
+    block.skyTop = glm::vec4(theme.top, alpha);
+    block.skyBottom = glm::vec4(theme.bottom, alpha);
+    uploadBlock(c.gpu.cameraBlock, cameraBlock, block);
+    uploadBlock(c.gpu.lightsBlock, lightsBlock, studio());
+}
+
+}  // namespace mw

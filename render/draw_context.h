@@ -1,0 +1,75 @@
+// What the passes of one frame share: the fitted camera, caches, programs, and how a draw is set up.
+#pragma once
+#include <array>
+
+#include "render/colors.h"
+#include "render/gpu_cache.h"
+#include "render/renderer.h"
+#include "render/shaders.h"
+#include "render/surface_geometry.h"
+
+namespace mw {
+
+/// As in resources/shaders/object.glsl.
+struct ObjectBlock {
+    glm::mat4 clipFromLocal{1}, viewFromLocal{1}, normalFromLocal{1};
+    glm::vec4 baseColor{0.6, 0.6, 0.6, 1}, surface{0, 0.6, 0, -1}, look{0, 1, 0, 0}, heat{0}, mark{1}, stroke{1, 0, 0, 0};
+    glm::ivec4 ids{0};
+};
+
+/// Lives as long as the renderer.
+struct GpuState {
+    GpuCache cache;
+    SurfaceLayouts layouts;
+    Programs programs;
+    gl::VertexArray vertexArray;
+    gl::Buffer cameraBlock, lightsBlock, objectBlock, transient, transientIndices;
+    gl::Texture heatTable;
+    GLint maxTextureBuffer = 65536;
+};
+
+struct DrawContext {
+    DrawContext(GpuState& state, const Frame& frame, glm::ivec2 size);
+
+    GpuState& gpu;
+    const Frame& frame;
+    glm::ivec2 size;
+    Camera camera;  ///< with clip planes that hold the frame
+    glm::dmat4 viewFromWorld, clipFromView;
+    Renderer::Counts counts;
+
+    const DrawObject* object(NodeId node) const;
+    /// The transforms of an object; the rest of the block as it is by default.
+    ObjectBlock blockOf(const glm::dmat4& worldFromLocal) const;
+    void setObject(const ObjectBlock& block);
+    void use(ProgramId program, unsigned variant = 0) { glUseProgram(gpu.programs.get(program, variant)); }
+    void texture(TextureUnit unit, GLenum target, GLuint id) const;
+    /// Switches attributes 0..7 off, so that a pass states all it needs.
+    void clearAttributes() const;
+    /// Blending that leaves the mask in alpha alone, or adds up coverage when the background is transparent.
+    void blend() const;
+};
+
+/// Camera and lights to the card; call once for a context.
+void uploadFrameBlocks(DrawContext& c);
+
+// The passes, in the order in which they draw.
+void drawBackground(DrawContext& c);
+void drawSurfaces(DrawContext& c);
+void drawWires(DrawContext& c);
+void drawGrid(DrawContext& c);
+void drawLoose(DrawContext& c);  ///< lines and points that belong to no face, needles
+void drawMarks(DrawContext& c);
+
+/// The surface of one object, bound: layout, buffers, winding. For passes that draw triangles.
+struct BoundSurface {
+    std::shared_ptr<const SurfaceLayout> layout;
+    SurfaceBuffers buffers;
+};
+BoundSurface bindSurface(DrawContext& c, const DrawObject& o, const SurfaceWants& wants);
+/// Draws one run of triangles; the block's `ids.y` is set to its first triangle.
+void drawRun(DrawContext& c, const BoundSurface& s, const SurfaceLayout::Run& run, ObjectBlock block);
+/// Vertices and lines of no face.
+bool hasLoosePoints(const Mesh& mesh);
+
+}  // namespace mw

@@ -1,0 +1,11 @@
+# Writes OUT, a C++ file that holds the text of every shader in FOLDER.
+file(GLOB files ${FOLDER}/*.vert ${FOLDER}/*.geom ${FOLDER}/*.frag ${FOLDER}/*.glsl)
+list(SORT files)
+set(text "// Made from resources/shaders by render/embed_shaders.cmake.\n#include \"render/shader_sources.h\"\n\nnamespace mw {\nnamespace {\n\nconstexpr ShaderSource sources[] = {\n")
+foreach(file ${files})
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} content)
+  string(APPEND text "{\"${name}\", R\"glsl(${content})glsl\"},\n")
+endforeach()
+string(APPEND text "};\n\n}  // namespace\n\nstd::span<const ShaderSource> shaderSources()\n{\n    return sources;\n}\n\n}  // namespace mw\n")
+file(WRITE ${OUT} "${text}")

@@ -1,0 +1,19 @@
+// Encoded pictures (PNG, JPEG) as textures.
+#pragma once
+#include "core/scene/scene.h"
+#include "render/gpu_cache.h"
+
+namespace mw {
+
+/// RGBA, 8 bit, top row first, as decoded. Throws Error for what is no PNG or JPEG, is broken, or has more than 64 million pixels.
+struct DecodedImage {
+    int width = 0, height = 0;
+    std::vector<uint8_t> rgba;
+};
+DecodedImage decodeImage(std::span<const uint8_t> bytes);
+
+/// With mip levels. A picture that cannot be read becomes white: the scene is still shown.
+GLuint imageTexture(GpuCache& cache, const Image& image, bool repeat);
+GLuint whiteTexture(GpuCache& cache);
+
+}  // namespace mw

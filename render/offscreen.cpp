@@ -1,0 +1,201 @@
+// Surfaceless EGL, a multisampled framebuffer, reading back, PNG.
+#include "render/offscreen.h"
+
+#include <algorithm>
+#include <cstring>
+#include <epoxy/egl.h>
+#include <filesystem>
+#include <png.h>
+
+#include "core/error.h"
+#include "render/gl.h"
+
+namespace mw {
+namespace {
+
+bool clientHas(const char* extension)
+{
+    const char* all = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    return all && std::strstr(all, extension) != nullptr;
+}
+
+/// Displays to try in turn: Mesa without a surface, a device, whatever is default.
+std::vector<EGLDisplay> candidateDisplays()
+{
+    std::vector<EGLDisplay> out;
+    const auto platformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    if (platformDisplay && clientHas("EGL_MESA_platform_surfaceless"))
+        out.push_back(platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+    const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    if (platformDisplay && queryDevices && clientHas("EGL_EXT_platform_device")) {
+        EGLDeviceEXT devices[8];
+        EGLint count = 0;
+        if (queryDevices(8, devices, &count))
+            for (EGLint i = 0; i < count; ++i) out.push_back(platformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+    }
+    out.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+    return out;
+}
+
+struct Context {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+
+    bool open(EGLDisplay candidate, bool debug)
+    {
+        if (candidate == EGL_NO_DISPLAY || !eglInitialize(candidate, nullptr, nullptr)) return false;
+        display = candidate;
+        const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+        EGLConfig config = nullptr;
+        EGLint count = 0;
+        eglBindAPI(EGL_OPENGL_API);
+        if (!eglChooseConfig(display, wanted, &config, 1, &count) || count < 1) config = nullptr;
+        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                     4,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     1,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_CONTEXT_OPENGL_DEBUG,
+                                     debug ? EGL_TRUE : EGL_FALSE,
+                                     EGL_NONE};
+        context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+        return context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
+    }
+    void close()
+    {
+        if (display == EGL_NO_DISPLAY) return;
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+        context = EGL_NO_CONTEXT;
+        display = EGL_NO_DISPLAY;  // not terminated: another context of this process may use it
+    }
+    ~Context() { close(); }
+};
+
+/// A colour and a depth buffer of some samples.
+struct Target {
+    gl::Framebuffer framebuffer;
+    gl::Renderbuffer color, depth;
+    int width = 0, height = 0, samples = -1;
+
+    void resize(int w, int h, int s)
+    {
+        if (w == width && h == height && s == samples) return;
+        width = w, height = h, samples = s;
+        glBindRenderbuffer(GL_RENDERBUFFER, color.id());
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, s, GL_RGBA8, w, h);
+        glBindRenderbuffer(GL_RENDERBUFFER, depth.id());
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, s, GL_DEPTH24_STENCIL8, w, h);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color.get());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.get());
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+            throw Error("the graphics driver cannot make a picture of " + std::to_string(w) + " x " + std::to_string(h) +
+                        " pixels; take a smaller size");
+    }
+};
+
+void onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void* sink)
+{
+    if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || type == GL_DEBUG_TYPE_PERFORMANCE || type == GL_DEBUG_TYPE_OTHER) return;
+    auto* messages = static_cast<std::vector<std::string>*>(const_cast<void*>(sink));
+    messages->emplace_back(text, length < 0 ? std::strlen(text) : size_t(length));
+}
+
+Picture readBack(int width, int height)
+{
+    Picture p{width, height, std::vector<uint8_t>(size_t(width) * size_t(height) * 4)};
+    const size_t row = size_t(width) * 4;
+    std::vector<uint8_t> below(p.rgba.size());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, below.data());
+    for (size_t y = 0; y < size_t(height); ++y) std::copy_n(below.data() + (size_t(height) - 1 - y) * row, row, p.rgba.data() + y * row);
+    return p;
+}
+
+}  // namespace
+
+struct Offscreen::Impl {
+    std::vector<std::string> messages;
+    Context context;
+    std::unique_ptr<Renderer> renderer;
+    Target drawn, resolved;
+
+    ~Impl()
+    {
+        if (context.context != EGL_NO_CONTEXT) eglMakeCurrent(context.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context);
+    }
+};
+
+Offscreen::Offscreen(bool debug) : impl_(std::make_unique<Impl>())
+{
+    bool open = false;
+    for (const EGLDisplay display : candidateDisplays()) {
+        open = impl_->context.open(display, debug);
+        if (open) break;
+        impl_->context.close();
+    }
+    if (!open) throw Error("no OpenGL 4.1 driver that draws without a display was found; install Mesa (packages libegl1 and libgl1-mesa-dri)");
+    if (debug && epoxy_has_gl_extension("GL_KHR_debug")) {
+        glEnable(GL_DEBUG_OUTPUT);
+        glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+        glDebugMessageCallback(onMessage, &impl_->messages);
+    }
+    impl_->renderer = std::make_unique<Renderer>();
+}
+
+Offscreen::~Offscreen() = default;
+
+Renderer& Offscreen::renderer()
+{
+    return *impl_->renderer;
+}
+
+const std::vector<std::string>& Offscreen::messages() const
+{
+    return impl_->messages;
+}
+
+Picture Offscreen::draw(const Frame& frame, int width, int height)
+{
+    GLint most = 0, mostSamples = 0;
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+    glGetIntegerv(GL_MAX_SAMPLES, &mostSamples);
+    if (width < 1 || height < 1 || width > most || height > most)
+        throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels cannot be drawn; each side may have 1 to " +
+                    std::to_string(most));
+    const int samples = std::clamp(frame.options.samples, 0, int(mostSamples));
+    impl_->drawn.resize(width, height, samples > 1 ? samples : 0);
+    impl_->renderer->draw(frame, impl_->drawn.framebuffer.get(), {width, height});
+    GLuint readFrom = impl_->drawn.framebuffer.get();
+    if (samples > 1) {
+        impl_->resolved.resize(width, height, 0);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, readFrom);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, impl_->resolved.framebuffer.get());
+        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        readFrom = impl_->resolved.framebuffer.get();
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, readFrom);
+    return readBack(width, height);
+}
+
+void writePng(const Picture& picture, const std::string& file)
+{
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = png_uint_32(picture.width);
+    png.height = png_uint_32(picture.height);
+    png.format = PNG_FORMAT_RGBA;
+    const std::string part = file + ".part";
+    if (!png_image_write_to_file(&png, part.c_str(), 0, picture.rgba.data(), 0, nullptr))
+        throw Error(file, std::string("the picture could not be written (") + png.message + "); check the folder and the space left");
+    std::error_code failed;
+    std::filesystem::rename(part, file, failed);
+    if (failed) {
+        std::filesystem::remove(part, failed);
+        throw Error(file, "the picture could not be put in its place; check the rights on the folder");
+    }
+}
+
+}  // namespace mw

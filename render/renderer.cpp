@@ -1,0 +1,90 @@
+// The order of the passes, and the state they share.
+#include "render/renderer.h"
+
+#include "core/error.h"
+#include "render/draw_context.h"
+
+namespace mw {
+
+struct Renderer::Impl {
+    GpuState gpu;
+    Counts counts;
+};
+
+namespace {
+
+void makeHeatTable(gl::Texture& texture)
+{
+    const std::vector<uint8_t> pixels = heatTablePixels();
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, heatEntries, 3, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+/// A window's toolkit leaves its own state behind; nothing of it is taken for granted.
+void cleanState(GLuint vertexArray, unsigned target, glm::ivec2 size)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glViewport(0, 0, size.x, size.y);
+    glBindVertexArray(vertexArray);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+void clear(const Frame& frame)
+{
+    const bool transparent = frame.options.transparentBackground;
+    glClearColor(0, 0, 0, transparent ? 0.f : 1.f);
+    glClearDepth(1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+}  // namespace
+
+Renderer::Renderer() : impl_(std::make_unique<Impl>())
+{
+    if (epoxy_gl_version() < 41)
+        throw Error("the graphics driver offers OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." + std::to_string(epoxy_gl_version() % 10) +
+                    ", 4.1 is needed; install or update Mesa (package libgl1-mesa-dri)");
+    makeHeatTable(impl_->gpu.heatTable);
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &impl_->gpu.maxTextureBuffer);
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
+{
+    if (size.x < 1 || size.y < 1) return;
+    GpuState& gpu = impl_->gpu;
+    gpu.cache.beginFrame();
+    gpu.layouts.forgetDead();
+    DrawContext c(gpu, frame, size);
+    cleanState(gpu.vertexArray.id(), target, size);
+    uploadFrameBlocks(c);
+    clear(frame);
+    drawBackground(c);
+    drawSurfaces(c);
+    drawGrid(c);
+    impl_->counts = c.counts;
+    impl_->counts.uploadedBytes = gpu.cache.uploadedBytes();
+    glBindVertexArray(0);
+    glUseProgram(0);
+}
+
+Renderer::Counts Renderer::counts() const
+{
+    return impl_->counts;
+}
+
+}  // namespace mw

@@ -1,0 +1,49 @@
+// The one table of programs. Each is made of files of resources/shaders, which are part of the binary; chunks that several share are
+// listed here, not pasted. Programs are compiled when first used (some 5 ms each).
+#pragma once
+#include <map>
+#include <span>
+#include <string>
+
+#include "render/gl.h"
+
+namespace mw {
+
+enum class ProgramId { Background, Surface, Wire, Line, Disc, FaceMark, Needle, Canvas, Outline, Ids, IdPoints };
+
+/// Variants of a program are defines before its text.
+struct ProgramRow {
+    ProgramId id;
+    const char* name;
+    const char* vertex;
+    const char* geometry;  ///< null: none
+    const char* fragment;
+    std::span<const char* const> chunks;    ///< put before every stage
+    std::span<const char* const> variants;  ///< defines it knows; see variant bits
+};
+std::span<const ProgramRow> programTable();
+
+/// Text of an embedded file. Throws Error when there is none.
+std::string_view shaderFile(std::string_view name);
+
+/// Bits of ProgramId::Surface's variants, in the order of its row; Line and Needle know Halo, Wire knows EdgeFlags.
+namespace variant {
+inline constexpr unsigned flat = 1, color = 2, material = 4, heat = 8, heatCategory = 16, heatFace = 32;
+inline constexpr unsigned edgeFlags = 1, halo = 1;
+}  // namespace variant
+
+// Where things are bound, in every program.
+inline constexpr GLuint cameraBlock = 0, lightsBlock = 1, objectBlock = 2;
+enum TextureUnit : GLint { heatUnit, faceValueUnit, triangleFaceUnit, baseColorUnit, maskUnit, atlasUnit, edgeFlagUnit };
+
+class Programs {
+public:
+    ~Programs();
+    /// Bit i of `variant` switches the i-th define of the row on. Throws Error naming file and line.
+    GLuint get(ProgramId id, unsigned variant = 0);
+
+private:
+    std::map<std::pair<ProgramId, unsigned>, GLuint> made_;
+};
+
+}  // namespace mw

@@ -157,6 +157,11 @@ const HalfedgeView& Mesh::halfedges() const
     return topologyCache_->halfedges.get([this] { return HalfedgeView(*this); });
 }
 
+const TopologyReport& Mesh::topology() const
+{
+    return topologyCache_->report.get([this] { return topologyOf(*this); });
+}
+
 const Rings& Mesh::rings() const
 {
     return topologyCache_->rings.get([this] { return ringsOf(*this); });

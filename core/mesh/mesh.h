@@ -73,7 +73,7 @@ public:
         Shared<uint32_t> vertices, corners, faces;
     };
     const Triangulation& triangulation() const;
-    /// Each edge once, pairs of vertices with the lower first, in the order of first corner.
+    /// Each edge of all faces once, pairs of vertices with the lower first, in the order of first corner; none from a vertex to itself.
     const Shared<uint32_t>& edges() const;
     Bounds bounds() const;
 

@@ -1,0 +1,37 @@
+// convert IN OUT: by ending, all that the target format can hold.
+#include <iostream>
+
+#include "app/cli/output.h"
+#include "app/cli/verb.h"
+#include "core/io/io.h"
+
+namespace mw::cli {
+
+namespace {
+
+int run(Arguments& arguments)
+{
+    const bool keep = arguments.flag("--project"), ascii = arguments.flag("--ascii");
+    const std::vector<std::string> files = arguments.finish({"IN", "OUT"});
+    std::vector<Warning> lost;
+    {
+        Working working("reading " + files[0]);
+        const Imported in = readFile(files[0], working.progress());
+        warn(files[0], in.warnings);
+        working.now("writing " + files[1]);
+        lost = writeFile(in.scene, files[1], {.project = keep || in.project, .binary = !ascii}, working.progress());
+    }
+    warn(files[1], lost);
+    return 0;
+}
+
+}  // namespace
+
+const Verb convertVerb{"convert", "from one file format to another",
+                       "convert IN OUT [--project] [--ascii]\n\n"
+                       "Formats are known by the ending. What the target format cannot hold is said on standard error.\n"
+                       "  --project   glTF: also keep polygons and modifiers, so that Meshwright can go on editing (a project does so anyway)\n"
+                       "  --ascii     PLY: as text\n",
+                       run};
+
+}  // namespace mw::cli

@@ -1,0 +1,77 @@
+#include "app/cli/findings.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "app/cli/output.h"
+
+namespace mw::cli {
+
+namespace {
+
+constexpr size_t sample = 1000;  // elements listed of each finding
+
+std::vector<uint32_t> some(const std::vector<uint32_t>& all)
+{
+    return {all.begin(), all.begin() + long(std::min(all.size(), sample))};
+}
+
+// Pairs of end vertices, one after the other.
+std::vector<uint32_t> some(const std::vector<TopologyReport::Edge>& all)
+{
+    std::vector<uint32_t> flat;
+    for (size_t i = 0; i < std::min(all.size(), sample); ++i) {
+        flat.push_back(all[i].first);
+        flat.push_back(all[i].second);
+    }
+    return flat;
+}
+
+// Vertices at exactly the place of one of lower index.
+std::vector<uint32_t> coincident(const Mesh& mesh)
+{
+    const std::span<const glm::vec3> p = mesh.positions();
+    std::vector<uint32_t> order(p.size()), out;
+    std::iota(order.begin(), order.end(), 0u);
+    const auto key = [&](uint32_t v) { return std::tuple(p[v].x, p[v].y, p[v].z); };
+    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+    for (size_t i = 1; i < order.size(); ++i)
+        if (key(order[i]) == key(order[i - 1])) out.push_back(order[i]);
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+}  // namespace
+
+std::vector<Finding> findings(const Mesh& mesh, const TopologyReport& r)
+{
+    std::vector<Finding> out;
+    const auto add = [&](size_t n, const char* element, const char* code, std::string text, std::vector<uint32_t> elements, const char* remedy) {
+        if (n > 0) out.push_back({{code, std::move(text), std::move(elements)}, n, element, remedy});
+    };
+    const std::vector<uint32_t> twins = coincident(mesh);
+    add(r.nonmanifoldEdges.size(), "edge", "nonmanifold-edges", counted(r.nonmanifoldEdges.size(), "edge has", "edges have") + " more than two faces",
+        some(r.nonmanifoldEdges), "operations treat each further face as if its edge were cut open there");
+    add(r.nonmanifoldVertices.size(), "vertex", "nonmanifold-vertices",
+        counted(r.nonmanifoldVertices.size(), "vertex joins", "vertices join") + " more than one fan of faces", some(r.nonmanifoldVertices),
+        "operations treat each fan as if it had a vertex of its own");
+    add(!r.orientable, "mesh", "not-orientable", "the surface has one side only (as a Moebius strip)", {},
+        "it has no inside: cut it open before baking or printing it");
+    add(r.orientable ? r.inconsistentEdges.size() : 0, "edge", "inconsistent-orientation",
+        counted(r.inconsistentEdges.size(), "edge has", "edges have") + " neighbouring faces that face opposite ways", some(r.inconsistentEdges),
+        "flip the faces on one side in the program that made the file");
+    add(r.degenerateFaces.size(), "face", "degenerate-faces",
+        counted(r.degenerateFaces.size(), "face has", "faces have") + " fewer than three corners or a vertex twice", some(r.degenerateFaces),
+        "they have no area and are left out of edges, components and loops");
+    add(r.duplicateFaces.size(), "face", "duplicate-faces",
+        counted(r.duplicateFaces.size(), "face has", "faces have") + " the same vertices as an earlier one", some(r.duplicateFaces),
+        "one of each is enough: they flicker when drawn");
+    add(twins.size(), "vertex", "coincident-vertices", counted(twins.size(), "vertex is", "vertices are") + " at exactly the place of another",
+        some(twins), "--op weld joins them");
+    add(mesh.faceCount() == 0 ? 0 : r.isolatedVertices.size(), "vertex", "isolated-vertices",
+        counted(r.isolatedVertices.size(), "vertex belongs", "vertices belong") + " to no face", some(r.isolatedVertices),
+        "harmless; they add to the file's size and to its bounding box");
+    return out;
+}
+
+}  // namespace mw::cli

@@ -1,0 +1,216 @@
+// info FILE: what is in a file, and what is wrong with it.
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/findings.h"
+#include "app/cli/operation_call.h"
+#include "app/cli/output.h"
+#include "app/cli/verb.h"
+#include "core/io/io.h"
+
+namespace mw::cli {
+
+namespace {
+
+struct MeshInfo {
+    std::string name;
+    Mesh mesh;
+    size_t modifiers = 0;
+    std::vector<Finding> wrong;
+};
+
+size_t morphTargets(const Mesh& m)
+{
+    size_t n = 0;
+    for (const Attribute& a : m.attributes()) n += a.name.starts_with(names::morph);
+    return n;
+}
+
+nlohmann::json point(const glm::dvec3& p)
+{
+    return {finite(p.x), finite(p.y), finite(p.z)};
+}
+
+nlohmann::json histogram(const std::map<size_t, size_t>& counts)
+{
+    nlohmann::json out = nlohmann::json::object();
+    for (const auto& [key, n] : counts) out[std::to_string(key)] = n;
+    return out;
+}
+
+nlohmann::json meshJson(const MeshInfo& info)
+{
+    const TopologyReport& r = info.mesh.topology();
+    const Bounds b = info.mesh.bounds();
+    return {{"name", info.name},
+            {"vertices", r.vertices},
+            {"edges", r.edges},
+            {"faces", r.faces},
+            {"triangles", r.triangles},
+            {"euler", r.euler},
+            {"genus", r.genus ? nlohmann::json(*r.genus) : nlohmann::json()},
+            {"components", r.components},
+            {"boundary_loops", r.boundaryLoops.size()},
+            {"boundary_edges", r.boundaryEdges},
+            {"nonmanifold_edges", r.nonmanifoldEdges.size()},
+            {"nonmanifold_vertices", r.nonmanifoldVertices.size()},
+            {"degenerate_faces", r.degenerateFaces.size()},
+            {"duplicate_faces", r.duplicateFaces.size()},
+            {"isolated_vertices", r.isolatedVertices.size()},
+            {"orientable", r.orientable},
+            {"consistently_oriented", r.consistentlyOriented},
+            {"closed", r.closed},
+            {"valence_histogram", histogram(r.vertexValences)},
+            {"face_sizes", histogram(r.faceSizes)},
+            {"bounds", {{"min", point(b.min)}, {"max", point(b.max)}}},
+            {"area", finite(surfaceArea(info.mesh))},
+            {"volume", finite(enclosedVolume(info.mesh))},
+            {"morph_targets", morphTargets(info.mesh)}};
+}
+
+nlohmann::json asJson(const std::string& file, const Imported& in, const std::vector<MeshInfo>& meshes)
+{
+    nlohmann::json list = nlohmann::json::array(), warnings = nlohmann::json::array();
+    for (const Warning& w : in.warnings) warnings.push_back({{"code", w.code}, {"text", w.text}, {"elements", w.elements}});
+    for (const MeshInfo& m : meshes) {
+        list.push_back(meshJson(m));
+        for (const Finding& f : m.wrong)
+            warnings.push_back({{"code", f.warning.code}, {"text", "mesh \"" + m.name + "\": " + f.warning.text}, {"elements", f.warning.elements}});
+    }
+    return {{"file", file},
+            {"meshes", list},
+            {"nodes", in.scene.nodes().size()},
+            {"materials", in.scene.materials().size()},
+            {"images", in.scene.images().size()},
+            {"skeletons", nlohmann::json::array()},
+            {"clips", nlohmann::json::array()},
+            {"warnings", warnings}};
+}
+
+std::string faceKinds(const TopologyReport& r)
+{
+    std::string out;
+    for (const auto& [size, n] : r.faceSizes) {
+        if (!out.empty()) out += ", ";
+        if (out.size() > 60) return out + "...";
+        out += size == 3 ? counted(n, "triangle") : size == 4 ? counted(n, "quad") : std::to_string(n) + " x " + std::to_string(size) + " corners";
+    }
+    return out.empty() ? "" : " (" + out + ")";
+}
+
+void printTopology(const Mesh& mesh, const TopologyReport& r)
+{
+    std::cout << "  " << counted(r.vertices, "vertex", "vertices") << ", " << counted(r.edges, "edge") << ", " << counted(r.faces, "face")
+              << faceKinds(r) << '\n';
+    if (r.faces > 0) {
+        std::cout << "  Euler characteristic " << r.euler << ", genus " << (r.genus ? std::to_string(*r.genus) : "undefined") << ", "
+                  << counted(r.components, "component") << ", ";
+        if (r.boundaryLoops.empty())
+            std::cout << (r.closed ? "closed" : "no boundary");
+        else
+            std::cout << counted(r.boundaryLoops.size(), "boundary loop") << " (" << counted(r.boundaryEdges, "edge") << ")";
+        std::cout << ", " << (r.manifold() ? "manifold" : "not manifold") << ", "
+                  << (!r.orientable            ? "not orientable"
+                      : r.consistentlyOriented ? "consistently oriented"
+                                               : "faces wound both ways")
+                  << '\n';
+        std::cout << "  area " << shown(surfaceArea(mesh));
+        if (r.closed) std::cout << ", volume " << shown(enclosedVolume(mesh));
+        size_t most = 0, valence = 0;
+        for (const auto& [v, n] : r.vertexValences)
+            if (v > 0 && n > most) most = n, valence = v;
+        std::cout << ", " << shown(100.0 * double(r.regularVertices) / double(std::max<size_t>(1, r.vertices - r.isolatedVertices.size())))
+                  << " % of the vertices regular, most of valence " << valence << '\n';
+    }
+    if (const Bounds b = mesh.bounds(); !b.empty) {
+        const glm::dvec3 s = b.size();
+        std::cout << "  size " << shown(s.x) << " x " << shown(s.y) << " x " << shown(s.z) << ", from (" << shown(b.min.x) << ", " << shown(b.min.y)
+                  << ", " << shown(b.min.z) << ") to (" << shown(b.max.x) << ", " << shown(b.max.y) << ", " << shown(b.max.z) << ")\n";
+    }
+}
+
+void printAttributes(const Mesh& mesh)
+{
+    static constexpr const char* domains[] = {"vertex", "corner", "face"};
+    std::string line;
+    for (const Attribute& a : mesh.attributes())
+        line += (line.empty() ? "  attributes: " : ", ") + a.name + " (" + domains[size_t(a.domain)] + ", " + std::to_string(a.components) + ")";
+    if (!line.empty()) std::cout << line << '\n';
+    if (!mesh.lines().empty()) std::cout << "  " << counted(mesh.lines().size() / 2, "loose line") << '\n';
+    if (!mesh.groupNames().empty()) std::cout << "  " << counted(mesh.groupNames().size(), "group") << '\n';
+}
+
+void printFinding(const Finding& f)
+{
+    std::cout << "  - " << f.warning.text;
+    const size_t stride = std::string_view(f.element) == "edge" ? 2 : 1;
+    const auto& e = f.warning.elements;
+    for (size_t i = 0; i < std::min(e.size(), 5 * stride); i += stride)
+        std::cout << (i == 0 ? ": " : ", ") << e[i] << (stride == 2 ? "-" + std::to_string(e[i + 1]) : "");
+    if (f.total > 5 && !e.empty()) std::cout << ", ...";
+    std::cout << "\n    " << f.remedy << '\n';
+}
+
+void printText(const std::string& file, const Imported& in, const std::vector<MeshInfo>& meshes)
+{
+    std::cout << file << ": " << in.format << ", units " << in.units << (in.project ? ", a Meshwright project" : "") << '\n'
+              << counted(meshes.size(), "mesh", "meshes") << ", " << counted(in.scene.nodes().size(), "node") << ", "
+              << counted(in.scene.materials().size(), "material") << ", " << counted(in.scene.images().size(), "image") << '\n';
+    bool wrong = !in.warnings.empty();
+    for (const MeshInfo& m : meshes) {
+        std::cout << "\nmesh \"" << m.name << "\"" << (m.modifiers ? " (after " + counted(m.modifiers, "modifier") + ")" : "") << '\n';
+        printTopology(m.mesh, m.mesh.topology());
+        printAttributes(m.mesh);
+        wrong = wrong || !m.wrong.empty();
+    }
+    if (!wrong) {
+        std::cout << "\nNothing is wrong with it.\n";
+        return;
+    }
+    std::cout << "\nWhat is wrong, worst first:\n";
+    for (const Warning& w : in.warnings) std::cout << "  - " << w.text << '\n';
+    for (const MeshInfo& m : meshes) {
+        if (meshes.size() > 1 && !m.wrong.empty()) std::cout << "  mesh \"" << m.name << "\":\n";
+        for (const Finding& f : m.wrong) printFinding(f);
+    }
+}
+
+int run(Arguments& arguments)
+{
+    const bool json = arguments.flag("--json");
+    const std::string file = arguments.finish({"FILE"})[0];
+    Imported in;
+    std::vector<MeshInfo> meshes;
+    {
+        Working working("reading");
+        in = readFile(file, working.progress());
+        for (MeshId id : in.scene.meshes()) {
+            const MeshObject& object = *in.scene.find(id);
+            working.now(object.name);
+            MeshInfo m{object.name, {}, object.stack.size(), {}};
+            try {
+                m.mesh = evaluated(object, working.progress());
+            } catch (const Error& e) {
+                m.mesh = object.base;
+                in.warnings.push_back({"modifier-failed", e.reason() + "; the figures are of the mesh before its modifiers", {}});
+            }
+            m.wrong = findings(m.mesh, m.mesh.topology());
+            meshes.push_back(std::move(m));
+        }
+    }
+    if (json)
+        printJson(asJson(file, in, meshes));
+    else
+        printText(file, in, meshes);
+    return 0;
+}
+
+}  // namespace
+
+const Verb infoVerb{"info", "what is in a file, and what is wrong with it",
+                    "info FILE [--json]\n\n"
+                    "Counts, topology, bounds and attributes of each mesh, and what is wrong with it, worst first, with what helps.\n"
+                    "  --json   one JSON object instead of text\n",
+                    run};
+
+}  // namespace mw::cli

@@ -1,0 +1,49 @@
+#include "app/cli/operation_call.h"
+
+#include "app/cli/output.h"
+#include "core/io/io.h"
+#include "core/scene/evaluation.h"
+
+namespace mw::cli {
+
+OperationCall parseCall(std::string_view text)
+{
+    const size_t colon = text.find(':');
+    OperationCall call;
+    call.operation = &operation(text.substr(0, colon));
+    try {
+        if (colon != text.npos) call.values = parsed(call.operation->parameters, text.substr(colon + 1));
+    } catch (const Error& e) {
+        throw Error(call.operation->id + ": " + e.reason());
+    }
+    return call;
+}
+
+Input readInput(const std::string& in, const OperationCall& first, Progress* progress)
+{
+    const bool source = first.operation && first.operation->accepts == Kind::Nothing;
+    if (in != "-") {
+        if (source)
+            throw Error(in, first.operation->id + " makes " + kindName(first.operation->yields) + " from nothing and takes no file; give - as input");
+        Imported file = readFile(in, progress);
+        warn(in, file.warnings);
+        return {std::move(file.scene), file.project, false};
+    }
+    if (!source) throw Error("the input - is for operations that make something from nothing (sources); the first operation is none");
+    Value made = apply(*first.operation, {}, first.values, progress);
+    if (kindOf(made) != Kind::Mesh) throw Error(first.operation->id + " makes no mesh");
+    return {sceneOf(std::get<Mesh>(std::move(made)), first.operation->id), false, true};
+}
+
+Mesh evaluated(const MeshObject& object, Progress* progress)
+{
+    if (object.stack.empty()) return object.base;
+    const Evaluation e = Evaluator().evaluate(object, progress);
+    for (size_t i = 0; i < e.levels.size(); ++i)
+        if (!e.levels[i].error.empty())
+            throw Error("object \"" + object.name + "\", modifier " + std::to_string(i + 1) + " (" + object.stack[i].operation +
+                        "): " + e.levels[i].error);
+    return e.result();
+}
+
+}  // namespace mw::cli

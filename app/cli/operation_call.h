@@ -1,0 +1,32 @@
+// "ID[:k=v,...]" as the command line says an operation.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "core/catalog/catalog.h"
+#include "core/scene/scene.h"
+#include "core/steps/progress.h"
+
+namespace mw::cli {
+
+struct OperationCall {
+    const Operation* operation = nullptr;
+    ParameterValues values;
+};
+
+/// Throws Error: an unknown operation with what is near, a parameter with its range.
+OperationCall parseCall(std::string_view text);
+
+/// The scene in which an input of the command line begins: a file's, or with "-" that of the source `first`. Warnings of the file go to
+/// standard error. Throws Error when a source and a file do not fit.
+struct Input {
+    Scene scene;
+    bool project = false;     ///< the file carried MESHWRIGHT_project
+    bool sourceUsed = false;  ///< `first` has run already
+};
+Input readInput(const std::string& in, const OperationCall& first, Progress* progress);
+
+/// What a mesh object shows: its stack evaluated. Throws Error naming the modifier that could not run.
+Mesh evaluated(const MeshObject& object, Progress* progress);
+
+}  // namespace mw::cli

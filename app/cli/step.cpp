@@ -1,0 +1,156 @@
+// step IN --op ID: an algorithm one step at a time, as the step player shows it.
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/operation_call.h"
+#include "app/cli/output.h"
+#include "app/cli/verb.h"
+#include "core/steps/stepper.h"
+
+namespace mw::cli {
+
+namespace {
+
+const char* elementName(ElementKind k)
+{
+    static constexpr const char* all[] = {"object", "vertex", "edge", "face", "corner", "point", "segment", "joint", "cell"};
+    return all[size_t(k)];
+}
+
+const char* roleName(Role r)
+{
+    static constexpr const char* all[] = {"current", "neighbour", "new", "removed", "rejected"};
+    return all[size_t(r)];
+}
+
+// The compiler may have seen the file by a longer path than the project's own.
+std::string sourceFile(const Operation& op, const char* file)
+{
+    const std::string_view all = file;
+    const size_t core = all.rfind("core/");
+    return core == all.npos ? op.source : std::string(all.substr(core));
+}
+
+nlohmann::json place(const glm::vec3& p)
+{
+    return {finite(p.x), finite(p.y), finite(p.z)};
+}
+
+nlohmann::json focusJson(const Focus& f)
+{
+    nlohmann::json j = {{"kind", elementName(f.kind)}, {"index", f.index}, {"role", roleName(f.role)}};
+    if (f.kind == ElementKind::Edge) j["other"] = f.other;
+    if (f.kind == ElementKind::Point || f.kind == ElementKind::Segment) j["at"] = place(f.at);
+    if (f.kind == ElementKind::Segment) j["to"] = place(f.to);
+    if (f.label) j["label"] = f.label;
+    return j;
+}
+
+void printStepJson(const Operation& op, const StepRecord& r)
+{
+    nlohmann::json focus = nlohmann::json::array(), numbers = nlohmann::json::object();
+    for (const Focus& f : r.focus) focus.push_back(focusJson(f));
+    for (const Number& n : r.numbers) numbers[n.name] = finite(n.value);
+    printJson({{"step", r.index},
+               {"phase", r.phase},
+               {"focus", focus},
+               {"numbers", numbers},
+               {"progress", finite(r.progress)},
+               {"file", sourceFile(op, r.file)},
+               {"line", r.line}});
+}
+
+// Elements of one role and kind together: "current edge 3-7; neighbour vertices 1 2 9".
+void printFocus(const std::vector<Focus>& focus)
+{
+    constexpr size_t most = 12;
+    for (size_t i = 0; i < focus.size();) {
+        size_t j = i;
+        while (j < focus.size() && focus[j].kind == focus[i].kind && focus[j].role == focus[i].role) ++j;
+        std::cout << "  " << roleName(focus[i].role) << ' ' << elementName(focus[i].kind);
+        for (size_t k = i; k < std::min(j, i + most); ++k) {
+            const Focus& f = focus[k];
+            std::cout << ' ';
+            if (f.kind == ElementKind::Point || f.kind == ElementKind::Segment)
+                std::cout << '(' << shown(f.at.x) << ", " << shown(f.at.y) << ", " << shown(f.at.z) << ')';
+            else
+                std::cout << f.index;
+            if (f.kind == ElementKind::Edge) std::cout << '-' << f.other;
+        }
+        if (j - i > most) std::cout << " and " << j - i - most << " more";
+        i = j;
+    }
+}
+
+void printStepText(const Operation& op, const StepRecord& r)
+{
+    std::cout << r.index << "  " << r.phase;
+    for (const Number& n : r.numbers) std::cout << "  " << n.name << '=' << shown(n.value);
+    printFocus(r.focus);
+    std::cout << "  [" << sourceFile(op, r.file) << ':' << r.line << "]\n";
+}
+
+void printEnd(const Run& run, size_t steps)
+{
+    const Value result = valueOf(run.snapshot());
+    std::cout << "end after " << counted(steps, "step");
+    if (const auto* m = std::get_if<Mesh>(&result))
+        std::cout << ": " << counted(m->vertexCount(), "vertex", "vertices") << ", " << counted(m->faceCount(), "face");
+    std::cout << '\n';
+}
+
+// The value that is stepped: nothing for a source, else one mesh of the file.
+Value subject(const std::string& in, const OperationCall& call, const std::optional<std::string>& object)
+{
+    if (call.operation->accepts == Kind::Nothing && in == "-") return {};
+    Working working("reading " + in);
+    const Input input = readInput(in, call, working.progress());
+    const std::vector<MeshId> meshes = input.scene.meshes();
+    if (meshes.empty()) throw Error(in, "there is no mesh in it");
+    std::string names;
+    for (MeshId id : meshes) {
+        const MeshObject& o = *input.scene.find(id);
+        if (object ? o.name == *object : meshes.size() == 1) return evaluated(o, working.progress());
+        names += (names.empty() ? "" : ", ") + o.name;
+    }
+    throw Error(in,
+                object ? "there is no mesh \"" + *object + "\"; there are: " + names : "there are several meshes; choose by --object NAME: " + names);
+}
+
+int run(Arguments& arguments)
+{
+    const bool json = arguments.flag("--json");
+    const std::optional<std::string> op = arguments.value("--op"), object = arguments.value("--object");
+    const std::optional<long> until = arguments.number("--until", 0, 2000000000);
+    const std::string in = arguments.finish({"IN"})[0];
+    if (!op) throw UsageError("--op ID is missing");
+    const OperationCall call = parseCall(*op);
+    const Value value = subject(in, call, object);
+    const std::unique_ptr<Run> steps = stepping(*call.operation, value, call.values)(true);
+    size_t n = 0;
+    while (!until || n < size_t(*until)) {
+        if (!steps->advance()) {
+            if (!json) printEnd(*steps, n);
+            break;
+        }
+        const StepRecord record = recordOf(*steps, ++n);
+        if (json)
+            printStepJson(*call.operation, record);
+        else
+            printStepText(*call.operation, record);
+        if (!std::cout.good()) break;  // nobody reads any more
+    }
+    return 0;
+}
+
+}  // namespace
+
+const Verb stepVerb{"step", "an operation one step at a time",
+                    "step IN --op ID[:k=v,...] [--until N] [--object NAME] [--json]\n\n"
+                    "One line a step: phase, numbers, elements in focus, and the line of source that runs. IN may be - for a source.\n"
+                    "  --until N       stop after N steps\n"
+                    "  --object NAME   which mesh, when the file has several\n"
+                    "  --json          one JSON object a line: step, phase, focus, numbers, progress, file, line\n",
+                    run};
+
+}  // namespace mw::cli

@@ -1,0 +1,103 @@
+"""process: sources, operations in turn on files, tables; and what it refuses."""
+import csv
+import json
+import math
+
+from harness import DATA, Case, main, needs_data
+
+
+class Process(Case):
+    def test_sphere_to_every_format(self):
+        for name in ("s.glb", "s.gltf", "s.obj", "s.ply"):
+            m = self.mesh(self.source(name, "icosphere:level=3"))
+            self.assertEqual((m["vertices"], m["edges"], m["faces"], m["genus"], m["closed"]), (642, 1920, 1280, 0, True), name)
+            self.assertLess(abs(m["volume"] - 4 / 3 * math.pi), 0.05)
+
+    def test_operations_in_turn(self):
+        m = self.mesh(self.source("s.ply", "icosphere:level=2", "subdivide-loop:levels=2", "decimate-quadric:ratio=0.25"))
+        self.assertEqual((m["faces"], m["genus"]), (320 * 16 // 4, 0))
+
+    def test_says_what_changed(self):
+        sphere = self.source("s.ply", "icosphere:level=2")
+        out = self.ok("process", sphere, "--op", "subdivide-loop:levels=1", "-o", self.folder / "t.ply").out
+        self.assertIn("162 vertices, 320 faces -> 642 vertices, 1280 faces", out)
+
+    def test_tables(self):
+        sphere = self.source("s.obj", "icosphere:level=2")
+        table = self.folder / "v.csv"
+        self.ok("process", sphere, "--op", "vertex-valence", "-o", table)
+        lines = list(csv.reader(table.open()))
+        self.assertEqual(lines[0][0], "vertex")
+        valences = [float(line[1]) for line in lines[1:]]
+        self.assertEqual((len(valences), valences.count(5), valences.count(6)), (162, 12, 150))
+        strips = self.folder / "s.json"
+        self.ok("process", sphere, "--op", "stripify", "-o", strips)
+        result = json.loads(strips.read_text())
+        self.assertEqual(result["operation"], "stripify")
+        self.assertEqual(len(result["results"]), 1)
+        self.assertTrue(result["results"][0]["summary"] or result["results"][0]["lists"])
+
+    def test_refusals(self):
+        sphere = self.source("s.obj", "icosphere:level=1")
+        out = self.folder / "out.glb"
+
+        def refused(*words, says):
+            self.fails("process", *words, "-o", out, says=says)
+            self.assertFalse(out.exists())
+
+        refused(sphere, "--op", "decimate-quadrics", says="decimate-quadric")
+        refused(sphere, "--op", "decimate-quadric:ratio=7", says="ratio=7")
+        refused(sphere, "--op", "decimate-quadric:ratio=nan", says="ratio=nan")
+        refused(sphere, "--op", "decimate-quadric:ratio=-1e300", says="ratio=")
+        refused(sphere, "--op", "decimate-quadric:ratio=lots", says="must be a number")
+        refused(sphere, "--op", "decimate-quadric:ratio", says="no value")
+        refused(sphere, "--op", "decimate-quadric:size=1", says="there is no parameter")
+        refused(sphere, "--op", "subdivide-loop:levels=1000000", says="levels=")
+        refused(sphere, "--op", "subdivide-loop:levels=99999999999999999999999", says="levels=")
+        refused(sphere, "--op", "icosphere", says="from nothing")
+        refused("-", "--op", "weld", says="source")
+        refused("-", "--op", "icosphere:level=99", says="level=99")
+        refused("-", "--op", "icosphere", "--op", "vertex-valence", says=".csv")
+        refused("-", "--op", "icosphere", "--op", "vertex-valence", "--op", "weld", says="must be the last")
+        self.fails("process", sphere, "-o", self.folder / "a.csv", says="a.csv: ")
+
+    def test_quads_are_refused_or_cut_by_loop_but_never_crash(self):
+        quad = self.write("q.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+        from harness import Ran
+        ran = Ran(["process", quad, "--op", "subdivide-loop", "-o", self.folder / "q.ply"])
+        self.assertIn(ran.code, (0, 1), ran)
+        if ran.code == 1:
+            self.assertIn("q.obj: ", ran.err)
+
+    def test_project_keeps_modifiers(self):
+        out = self.folder / "p.glb"
+        cube = self.write("c.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                                   "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n")
+        self.ok("process", cube, "--op", "weld", "--project", "-o", out)
+        m = self.mesh(out)
+        self.assertEqual((m["faces"], m["face_sizes"]), (6, {"4": 6}))
+        self.assertIn("after 1 modifier", self.ok("info", out).out)
+
+
+@needs_data
+class RealFiles(Case):
+    def test_scan_to_a_tenth(self):
+        out = self.folder / "bunny.glb"
+        self.ok("process", DATA / "meshes/boundary/stanford-bunny.obj", "--op", "decimate-quadric:ratio=0.1", "-o", out)
+        m = self.mesh(out)
+        self.assertAlmostEqual(m["faces"], 6945, delta=8)
+        self.assertEqual((m["genus"], m["boundary_loops"], m["nonmanifold_edges"], m["nonmanifold_vertices"]), (0, 5, 0, 0))
+
+    def test_hierarchy_and_materials_stay(self):
+        robot = DATA / "characters/robot.glb"
+        before = self.json("info", robot, "--json")
+        out = self.folder / "r.glb"
+        self.ok("process", robot, "--op", "weld", "-o", out)
+        after = self.json("info", out, "--json")
+        for key in ("nodes", "materials", "images"):
+            self.assertEqual(before[key], after[key], key)
+        self.assertEqual([m["name"] for m in before["meshes"]], [m["name"] for m in after["meshes"]])
+
+
+if __name__ == "__main__":
+    main()

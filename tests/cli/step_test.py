@@ -1,0 +1,73 @@
+"""step: one JSON object a line with what the step player shows."""
+import json
+import pathlib
+
+from harness import DATA, Case, main, needs_data
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+class Step(Case):
+    def lines(self, *arguments):
+        return [json.loads(line) for line in self.ok("step", *arguments, "--json").out.splitlines()]
+
+    def check(self, lines):
+        self.assertEqual([s["step"] for s in lines], list(range(1, len(lines) + 1)))
+        for s in lines:
+            self.assertEqual(set(s), {"step", "phase", "focus", "numbers", "progress", "file", "line"})
+            self.assertTrue(s["phase"])
+            for f in s["focus"]:
+                self.assertLessEqual({"kind", "index", "role"}, f.keys())
+                self.assertIn(f["role"], ("current", "neighbour", "new", "removed", "rejected"))
+            # The line is that of a pause in the project's own source.
+            source = (ROOT / s["file"]).read_text().splitlines()
+            self.assertIn("co_yield", " ".join(source[max(0, s["line"] - 8):s["line"] + 2]), s)
+
+    def test_decimation(self):
+        sphere = self.source("s.ply", "icosphere:level=1")
+        lines = self.lines(sphere, "--op", "decimate-quadric:ratio=0.5")
+        self.check(lines)
+        self.assertGreater(len({s["phase"] for s in lines}), 2)
+        self.assertTrue(any(s["numbers"] for s in lines))
+
+    def test_every_operation_with_steps(self):
+        sphere = self.source("s.ply", "icosphere:level=1")
+        for a in self.json("algorithms", "--json")["algorithms"]:
+            if a["steps"] and a["accepts"] in ("mesh", "nothing"):
+                with self.subTest(a["id"]):
+                    self.check(self.lines(sphere if a["accepts"] == "mesh" else "-", "--op", a["id"], "--until", "50"))
+
+    def test_until(self):
+        sphere = self.source("s.ply", "icosphere:level=2")
+        self.assertEqual(len(self.lines(sphere, "--op", "decimate-quadric", "--until", "7")), 7)
+        self.assertEqual(self.lines(sphere, "--op", "decimate-quadric", "--until", "0"), [])
+
+    def test_text(self):
+        sphere = self.source("s.ply", "icosphere:level=1")
+        out = self.ok("step", sphere, "--op", "subdivide-loop:levels=1").out
+        self.assertIn("end after", out)
+        self.assertIn("core/subdivide/", out)
+
+    def test_refusals(self):
+        sphere = self.source("s.ply", "icosphere:level=1")
+        self.fails("step", sphere, "--op", "subdivide-lop", says="subdivide-loop")
+        self.fails("step", sphere, "--op", "subdivide-loop:levels=77", says="levels=77")
+        self.fails("step", "-", "--op", "subdivide-loop", says="source")
+
+
+@needs_data
+class RealFiles(Case):
+    def test_first_steps_on_a_scan(self):
+        ran = self.ok("step", DATA / "meshes/boundary/stanford-bunny.obj", "--op", "decimate-quadric:ratio=0.5", "--until", "100", "--json")
+        self.assertEqual(ran.out.count("\n"), 100)
+
+    def test_several_meshes_want_a_choice(self):
+        robot = DATA / "characters/robot.glb"
+        names = [m["name"] for m in self.json("info", robot, "--json")["meshes"]]
+        if len(names) > 1:
+            self.fails("step", robot, "--op", "weld", says="--object")
+            self.ok("step", robot, "--op", "decimate-quadric", "--until", "3", "--object", names[0])
+
+
+if __name__ == "__main__":
+    main()

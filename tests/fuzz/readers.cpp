@@ -1,0 +1,52 @@
+// Any bytes, read as OBJ, PLY, GLB and glTF: the readers give a scene or throw Error, and nothing else ever happens.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "core/io/io.h"
+#include "core/mesh/topology.h"
+
+namespace {
+
+// One file a format and process, in memory where the system has such a folder.
+const std::string& fileOf(size_t format)
+{
+    static const std::string base =
+        (std::filesystem::is_directory("/dev/shm") ? "/dev/shm" : "/tmp") + std::string("/meshwright-fuzz-") + std::to_string(getpid());
+    static const std::string files[] = {base + ".obj", base + ".ply", base + ".glb", base + ".gltf"};
+    static const bool cleaning = [] {
+        return std::atexit([] {
+                   for (const std::string& f : files) std::remove(f.c_str());
+               }) == 0;
+    }();
+    (void)cleaning;
+    return files[format];
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
+{
+    if (size == 0) return -1;
+    // The first byte chooses the format, so that one corpus serves all.
+    const std::string& name = fileOf(bytes[0] % 4);
+    if (FILE* f = std::fopen(name.c_str(), "wb")) {
+        std::fwrite(bytes + 1, 1, size - 1, f);
+        std::fclose(f);
+    }
+    try {
+        const mw::Imported in = mw::readFile(name);
+        for (mw::MeshId id : in.scene.meshes()) {
+            const mw::Mesh& mesh = in.scene.find(id)->base;
+            mw::topologyOf(mesh);
+            mesh.triangulation();
+            mesh.vertexNormals();
+        }
+    } catch (const mw::Error&) {
+    }
+    return 0;
+}

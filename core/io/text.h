@@ -1,0 +1,172 @@
+// Numbers in text, fast and independent of the locale. All readers here expect a buffer that ends in '\n' and zeros (FileBytes).
+#pragma once
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "core/mesh/array.h"
+
+namespace mw {
+
+inline bool isDigit(char c)
+{
+    return uint8_t(c - '0') < 10;
+}
+/// Space, tab, line end, or the zeros after the end.
+inline bool endsToken(char c)
+{
+    return uint8_t(c) <= ' ';
+}
+inline std::string_view tokenAt(const char* p)
+{
+    const char* q = p;
+    while (!endsToken(*q)) ++q;
+    return {p, size_t(q - p)};
+}
+
+namespace detail {
+
+inline constexpr double powersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                         1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/// Whatever the fast path does not do: many digits, large exponents, "nan", "inf".
+template <class T>
+bool parseSlowly(const char*& p, T& value)
+{
+    const char* first = p + (*p == '+' ? 1 : 0);
+    if (*p == '+' && *first == '-') return false;
+    const std::string_view token = tokenAt(first);
+    const auto [end, error] = std::from_chars(first, first + token.size(), value);
+    if (error == std::errc::invalid_argument) return false;
+    if (error == std::errc::result_out_of_range) {
+        // Too large, or too close to zero: the exponent's sign tells, or else a digit before the point.
+        const std::string_view number(first, size_t(end - first));
+        const size_t e = number.find_first_of("eE");
+        const bool small =
+            e != number.npos ? number.substr(e + 1).starts_with('-') : number.substr(0, number.find('.')).find_first_of("123456789") == number.npos;
+        const T size = small ? T(0) : std::numeric_limits<T>::infinity();
+        value = *first == '-' ? -size : size;
+    }
+    p = end;
+    return true;
+}
+
+/// Sign, digits, point, exponent. False when the value is not surely exact in a double by one operation.
+inline bool parseExact(const char*& p, double& value)
+{
+    const char* q = p;
+    const bool negative = *q == '-';
+    if (negative || *q == '+') ++q;
+    uint64_t mantissa = 0;
+    const char* digits = q;
+    while (isDigit(*q)) mantissa = mantissa * 10 + uint64_t(*q++ - '0');
+    long count = q - digits, exponent = 0;
+    if (*q == '.') {
+        const char* decimals = ++q;
+        while (isDigit(*q)) mantissa = mantissa * 10 + uint64_t(*q++ - '0');
+        exponent = decimals - q;
+        count -= exponent;
+    }
+    if (count == 0 || count > 19 || mantissa > (uint64_t(1) << 53)) return false;
+    if ((*q | 0x20) == 'e') {
+        const char* e = q + 1;
+        const bool down = *e == '-';
+        if (down || *e == '+') ++e;
+        if (isDigit(*e)) {
+            long n = 0;
+            while (isDigit(*e)) n = n < 10000 ? n * 10 + (*e++ - '0') : (++e, n);
+            exponent += down ? -n : n;
+            q = e;
+        }
+    }
+    if (exponent < -22 || exponent > 22) return false;
+    // Both factors are exact, so that one division or product is correctly rounded (Clinger 1990).
+    const double v = exponent < 0 ? double(mantissa) / powersOfTen[-exponent] : double(mantissa) * powersOfTen[exponent];
+    value = negative ? -v : v;
+    p = q;
+    return true;
+}
+
+}  // namespace detail
+
+/// Reads the number at p, correctly rounded, and moves p past it; false, p as it was, when there is none. Understands a leading '+', "nan" and
+/// "inf"; what is too large becomes infinite.
+inline bool parseNumber(const char*& p, double& value)
+{
+    return detail::parseExact(p, value) || detail::parseSlowly(p, value);
+}
+inline bool parseNumber(const char*& p, float& value)
+{
+    const char* start = p;
+    double d = 0;
+    if (detail::parseExact(p, d)) {
+        // A double that lies half-way between two floats may itself have been rounded: then the text decides. Tiny ones have fewer bits.
+        const bool halfway = (std::bit_cast<uint64_t>(d) & 0x1fffffff) == 0x10000000;
+        if (!halfway && (std::abs(d) >= double(std::numeric_limits<float>::min()) || d == 0)) {
+            value = float(d);
+            return true;
+        }
+        p = start;
+    }
+    return detail::parseSlowly(p, value);
+}
+
+/// Decimal digits; false when there are none. Stays at 2^40 or a little above when there are more.
+inline bool parseDigits(const char*& p, uint64_t& value)
+{
+    if (!isDigit(*p)) return false;
+    uint64_t v = 0;
+    while (isDigit(*p)) {
+        if (v < (uint64_t(1) << 40)) v = v * 10 + uint64_t(*p - '0');
+        ++p;
+    }
+    value = v;
+    return true;
+}
+
+/// A piece of a file for a message: cut short, nothing unprintable.
+std::string inQuotes(std::string_view text);
+/// Without blanks and line ends at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// An array that is filled one by one without being zeroed first.
+template <class T>
+class Filling {
+public:
+    void expect(size_t n) { array_.resize(n > size_ ? n : size_); }
+    void push(const T& v)
+    {
+        if (size_ == array_.size()) array_.resize(size_ + size_ / 2 + 64);
+        array_[size_++] = v;
+    }
+    void append(const T* from, size_t n)
+    {
+        if (array_.size() - size_ < n) array_.resize(size_ + size_ / 2 + n + 64);
+        for (size_t i = 0; i < n; ++i) array_[size_ + i] = from[i];
+        size_ += n;
+    }
+    void fill(size_t to, const T& v)
+    {
+        while (size_ < to) push(v);
+    }
+    void cut(size_t n) { size_ = n; }
+    size_t size() const { return size_; }
+    T& operator[](size_t i) { return array_[i]; }
+    const T& operator[](size_t i) const { return array_[i]; }
+    Array<T> take()
+    {
+        array_.resize(size_);
+        size_ = 0;
+        return std::move(array_);
+    }
+
+private:
+    Array<T> array_;
+    size_t size_ = 0;
+};
+
+}  // namespace mw

@@ -113,7 +113,7 @@ OutputFile::OutputFile(const fs::path& file) : file_(file), target_(file), buffe
 {
     std::error_code e;
     if (fs::is_symlink(file, e)) target_ = fs::weakly_canonical(file, e);  // the link stays a link
-    if (e) throw Error(file.string(), "is a link that leads nowhere: " + e.message());
+    if (target_.empty()) throw Error(file.string(), "is a link that leads nowhere: " + e.message());
     if (fs::exists(target_, e) && !fs::is_regular_file(target_, e)) throw Error(file.string(), "is not an ordinary file; choose another name");
     const fs::path folder = target_.parent_path().empty() ? fs::path(".") : target_.parent_path();
     if (!fs::is_directory(folder, e)) throw Error(file.string(), "its folder does not exist; make it first");

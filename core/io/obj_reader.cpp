@@ -237,12 +237,13 @@ void Builder::materials(Mesh& mesh, Scene& scene, const fs::path& folder, std::v
 Imported readObj(const fs::path& file, Progress* progress)
 {
     FileBytes bytes = readBytes(file);
-    if (bytes.size() == 0) throw Error(file.string(), "is empty; export it again");
+    const std::string name = file.string();
+    if (bytes.size() == 0) throw Error(name, "is empty; export it again");
     ObjData data;
-    bytes = plainText(std::move(bytes), file.string());
-    parseObj(bytes, file.string(), data, progress);
+    bytes = plainText(std::move(bytes), name);
+    parseObj(bytes, name, data, progress);
     bytes = {};
-    Builder builder(data, file.string());
+    Builder builder(data, name);
     Mesh mesh = builder.mesh();
     Imported out;
     MeshObject object;

@@ -457,6 +457,48 @@ Attribute Reader::atCorners(const Attribute& a, const Mesh& mesh)
     return c;
 }
 
+/// Floats, whatever the file has; whole numbers of colours are fractions.
+Attribute asFloats(const Attribute& a)
+{
+    const double divisor = a.name != names::color || !isInteger(a.stored) ? 1 : byteSize(a.stored) == 2 ? 65535 : 255;
+    Array<float> values(a.size() * size_t(a.components));
+    for (size_t e = 0, i = 0; e < a.size(); ++e)
+        for (int k = 0; k < a.components; ++k) {
+            const double v = a.at(e, k) / divisor;
+            values[i++] = std::isfinite(v) ? float(v) : 0;
+        }
+    Attribute f = floatAttribute(a.name, a.domain, a.components, std::move(values));
+    if (a.name == names::color && isInteger(a.stored)) f.stored = a.stored;
+    return f;
+}
+
+/// Whoever meets a well-known name relies on its form: what a file has under such a name in another form is renamed.
+Attribute inKnownForm(Attribute a)
+{
+    const auto among = [&](std::initializer_list<int> n) { return std::find(n.begin(), n.end(), a.components) != n.end(); };
+    const bool texcoord = a.name.starts_with(names::texcoord), color = a.name.starts_with(names::color);
+    bool fits = true;
+    if (a.name == names::material || a.name == names::group) {
+        const std::span<const int32_t> values = a.integers();
+        const int32_t most = a.name == names::material ? 4096 : 65536;
+        fits = a.domain == Domain::Face && a.components == 1 && a.integral() &&
+               std::all_of(values.begin(), values.end(), [most](int32_t v) { return v >= 0 && v < most; });
+    } else if (texcoord || color || a.name == names::normal || a.name == names::tangent || a.name == names::crease || a.name == names::weights) {
+        fits = a.domain != Domain::Face && (texcoord                  ? among({2})
+                                            : color                   ? among({3, 4})
+                                            : a.name == names::normal ? among({3})
+                                            : a.name == names::crease ? a.domain == Domain::Corner && among({1})
+                                                                      : a.components % 4 == 0);
+        if (fits && (a.floats().empty() || a.name == names::weights)) a = asFloats(a);
+    } else if (a.name == names::joints) {
+        fits = a.domain == Domain::Vertex && a.components % 4 == 0 && a.integral();
+    } else if (a.name.starts_with(names::morph)) {
+        fits = a.domain == Domain::Vertex && a.components == 3 && !a.floats().empty();
+    }
+    if (!fits) a.name += "_";
+    return a;
+}
+
 Mesh Reader::withAttributes(Mesh mesh, const CheckedFaces& kept)
 {
     for (Incoming& in : attributes_) {
@@ -465,8 +507,10 @@ Mesh Reader::withAttributes(Mesh mesh, const CheckedFaces& kept)
         if (!kept.all && a.domain != Domain::Vertex) a = gathered(a, a.domain == Domain::Face ? kept.faces : kept.corners);
         const bool spread = (a.name == names::texcoord && a.domain == Domain::Vertex) || (a.name == names::color && a.domain == Domain::Face);
         if (spread && mesh.cornerCount() > 0) a = atCorners(a, mesh);
-        const bool forFaces = a.domain != Domain::Vertex && mesh.cornerCount() == 0;
-        if (!forFaces && !mesh.find(a.name, a.domain)) mesh = mesh.with(std::move(a));
+        if (a.domain != Domain::Vertex && mesh.cornerCount() == 0) continue;
+        a = inKnownForm(std::move(a));
+        while (mesh.find(a.name, a.domain)) a.name += "_";
+        mesh = mesh.with(std::move(a));
     }
     if (const Attribute* group = mesh.find(names::group, Domain::Face); group && group->integral() && group->components == 1) {
         std::vector<std::string> groupNames = header_.groupNames;

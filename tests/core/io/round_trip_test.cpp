@@ -1,0 +1,226 @@
+// What is written reads back equal, for each format and encoding, with every attribute it can hold.
+#include <array>
+
+#include "data.h"
+#include "helpers.h"
+
+namespace mw::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two triangles and a pentagon over seven vertices, one of them loose.
+Mesh patch()
+{
+    Array<glm::vec3> p{{0, 0, 0}, {1, 0, 0.1f}, {1, 1, -1e-20f}, {0, 1, 1e20f}, {2, 0.333333343f, 0}, {2, 1, 16777217}, {-0.f, 5, 5}};
+    return Mesh(std::move(p), Array<uint32_t>{0, 3, 6, 11}, Array<uint32_t>{0, 1, 2, 0, 2, 3, 1, 4, 5, 2, 0}).withLines(Array<uint32_t>{6, 0, 3, 6});
+}
+
+Attribute floats(const char* name, Domain domain, int components, const Mesh& mesh, float scale)
+{
+    Array<float> v(mesh.count(domain) * size_t(components));
+    for (size_t i = 0; i < v.size(); ++i) v[i] = float((i * 7919) % 101) * scale;
+    return floatAttribute(name, domain, components, std::move(v));
+}
+
+Attribute bytes255(const char* name, Domain domain, int components, const Mesh& mesh)
+{
+    Array<float> v(mesh.count(domain) * size_t(components));
+    for (size_t i = 0; i < v.size(); ++i) v[i] = float(double((i * 53) % 256) / 255);
+    Attribute a = floatAttribute(name, domain, components, std::move(v));
+    a.stored = Scalar::UInt8;
+    return a;
+}
+
+Attribute integers(const char* name, Domain domain, int components, const Mesh& mesh, int32_t scale, Scalar stored)
+{
+    Array<int32_t> v(mesh.count(domain) * size_t(components));
+    for (size_t i = 0; i < v.size(); ++i) v[i] = int32_t(i % 5) * scale;
+    Attribute a = integerAttribute(name, domain, components, std::move(v));
+    a.stored = stored;
+    return a;
+}
+
+Mesh written(const Mesh& mesh, const std::string& name, const WriteOptions& options = {})
+{
+    const Folder folder;
+    writeFile(sceneOf(mesh, "patch"), folder.path / name, options);
+    const Imported in = readFile(folder.path / name);
+    EXPECT_TRUE(checkMesh(meshOf(in)));
+    EXPECT_TRUE(in.warnings.empty()) << in.warnings[0].text;
+    return meshOf(in);
+}
+
+/// Same arrays, whatever the order of the attributes.
+void expectEqual(const Mesh& a, const Mesh& b)
+{
+    ASSERT_EQ(a.attributes().size(), b.attributes().size());
+    const auto bare = [](Mesh m) {
+        while (!m.attributes().empty()) m = m.without(m.attributes().front().name);
+        return contentHash(m);
+    };
+    EXPECT_EQ(bare(a), bare(b));
+    for (const Attribute& x : a.attributes()) {
+        SCOPED_TRACE(x.name);
+        const Attribute* y = b.find(x.name, x.domain);
+        ASSERT_TRUE(y);
+        EXPECT_EQ(x.components, y->components);
+        EXPECT_EQ(x.stored, y->stored);
+        EXPECT_EQ(x.values.index(), y->values.index());
+        ASSERT_EQ(x.size(), y->size());
+        for (size_t e = 0; e < x.size(); ++e)
+            for (int k = 0; k < x.components; ++k) EXPECT_EQ(x.at(e, k), y->at(e, k)) << e << "," << k;
+    }
+}
+
+const std::array<WriteOptions, 3> encodings{WriteOptions{false, false, false}, WriteOptions{false, true, false}, WriteOptions{false, true, true}};
+
+TEST(RoundTrip, PlyKeepsEveryAttributeInEveryEncoding)
+{
+    Mesh m = patch();
+    m = m.with(floats("normal", Domain::Vertex, 3, m, 0.01f)).with(floats("texcoord", Domain::Corner, 2, m, 0.013f));
+    m = m.with(bytes255("color", Domain::Vertex, 4, m))
+            .with(bytes255("color", Domain::Corner, 3, m))
+            .with(floats("tangent", Domain::Corner, 4, m, 0.1f));
+    m = m.with(floats("quality", Domain::Vertex, 1, m, 1e-7f))
+            .with(floats("flow", Domain::Vertex, 2, m, 3.3f))
+            .with(floats("crease", Domain::Corner, 1, m, 0.5f));
+    m = m.with(integers("flags", Domain::Face, 1, m, 60, Scalar::UInt8)).with(integers("label", Domain::Face, 3, m, -300, Scalar::Int16));
+    m = m.with(integers("id", Domain::Vertex, 1, m, 1 << 28, Scalar::Int32)).with(integers("joints", Domain::Vertex, 4, m, 3, Scalar::UInt16));
+    m = m.with(floats("weights", Domain::Vertex, 4, m, 0.01f));
+    Attribute exact{"exact", Domain::Vertex, 1, Shared(Array<double>{0.1, 1.0 / 3, 1e300, -2e-300, 5, 6, 7}), Scalar::Float64};
+    Attribute wide{"wide", Domain::Face, 1, Shared(Array<double>{4294967295.0, 0, 77}), Scalar::UInt32};
+    m = m.with(exact).with(wide).with(integers("group", Domain::Face, 1, m, 1, Scalar::Int32)).withGroupNames({"left", "right side", "top"});
+    ASSERT_TRUE(checkMesh(m));
+    for (const WriteOptions& o : encodings) {
+        SCOPED_TRACE(int(o.binary) + 2 * int(o.bigEndian));
+        expectEqual(m, written(m, "a.ply", o));
+    }
+}
+
+TEST(RoundTrip, PlyWritesValuesOfCornersAtVerticesOrFacesWhereTheyAgree)
+{
+    Mesh m = patch();
+    Array<float> byVertex, byFace;
+    for (size_t c = 0; c < m.cornerCount(); ++c) {
+        byVertex.push_back(float(m.cornerVertex()[c]));
+        byVertex.push_back(0.5f);
+        for (int k = 0; k < 3; ++k) byFace.push_back(c < 3 ? 0.f : c < 6 ? 0.2f : 1.f);
+    }
+    m = m.with(floatAttribute("texcoord", Domain::Corner, 2, byVertex)).with(floatAttribute("color", Domain::Corner, 3, byFace));
+    const Folder folder;
+    writeFile(sceneOf(m, "m"), folder.path / "m.ply", encodings[0]);
+    const std::string text = bytesOf(folder.path / "m.ply");
+    EXPECT_NE(text.find("property float s\n"), text.npos);
+    EXPECT_LT(text.find("element face"), text.find("property float red"));
+    EXPECT_EQ(text.find("list", text.find("vertex_indices")), text.npos);
+    expectEqual(m, meshOf(readFile(folder.path / "m.ply")));
+}
+
+TEST(RoundTrip, ObjKeepsWhatItHolds)
+{
+    Mesh m = patch();
+    m = m.with(floats("normal", Domain::Corner, 3, m, 0.01f))
+            .with(floats("texcoord", Domain::Corner, 2, m, 0.013f))
+            .with(floats("color", Domain::Vertex, 4, m, 0.0099f));
+    m = m.with(integers("group", Domain::Face, 1, m, 1, Scalar::Int32)).withGroupNames({"left", "right side", "top"});
+    expectEqual(m, written(m, "a.obj"));
+    expectEqual(patch(), written(patch(), "b.obj"));
+}
+
+TEST(RoundTrip, ObjKeepsMaterialsAndPictures)
+{
+    const Folder folder;
+    const std::string png = std::string("\x89PNG\r\n\x1a\n", 8) + "not really a picture";
+    folder.write("skin of it.png", png);
+    folder.write("a.mtl",
+                 "newmtl red one\nKd 1 0 0.25\nKs 0.5 0.5 0.5\nNs 30\nd 0.5\nmap_Kd -s 2 2 2 skin of it.png\nillum 2\n"
+                 "newmtl b\nKd 0 1 0\nPr 0.3\nPm 1\nKe 1 2 3\n");
+    folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl red one\nf 1 2 3\nusemtl b\nf 2 4 3\n");
+    const Imported first = readFile(folder.path / "a.obj");
+    EXPECT_TRUE(first.warnings.empty()) << first.warnings[0].text;
+    const Folder other;
+    writeFile(first.scene, other.path / "b.obj");
+    const Imported second = readFile(other.path / "b.obj");
+    EXPECT_TRUE(second.warnings.empty()) << second.warnings[0].text;
+    for (const Imported* in : {&first, &second}) {
+        const MeshObject& o = objectOf(in->scene);
+        ASSERT_EQ(o.materials.size(), 2u);
+        const Material &red = *in->scene.find(o.materials[0]), &b = *in->scene.find(o.materials[1]);
+        EXPECT_EQ(red.name, "red one");
+        EXPECT_EQ(red.baseColor, glm::dvec4(1, 0, 0.25, 0.5));
+        EXPECT_EQ(red.alpha, Material::Alpha::Blend);
+        EXPECT_DOUBLE_EQ(red.roughness, std::sqrt(2.0 / 32));
+        EXPECT_NE(red.extras.find("Ks 0.5 0.5 0.5"), std::string::npos);
+        const Image* image = in->scene.find(red.baseColorTexture.image);
+        ASSERT_TRUE(image);
+        EXPECT_EQ(std::string(image->bytes->begin(), image->bytes->end()), png);
+        EXPECT_EQ(b.roughness, 0.3);
+        EXPECT_EQ(b.metallic, 1);
+        EXPECT_EQ(b.emissive, glm::dvec3(1, 2, 3));
+        EXPECT_EQ(o.base.find("material")->at(0, 0), 0);
+        EXPECT_EQ(o.base.find("material")->at(1, 0), 1);
+    }
+}
+
+TEST(RoundTrip, AForeignFileOfThePicturesNameIsNotOverwritten)
+{
+    Scene scene;
+    const ImageId image = scene.add(Image{"skin.png", "image/png", std::make_shared<const std::vector<uint8_t>>(20, uint8_t(7))});
+    Material m;
+    m.name = "m";
+    m.baseColorTexture.image = image;
+    const MaterialId material = scene.add(m);
+    Node node;
+    node.mesh = scene.add(MeshObject{"o", patch(), {material}, {}});
+    scene.add(node);
+    const Folder folder;
+    folder.write("skin.png", "somebody's own");
+    for (int twice = 0; twice < 2; ++twice) writeFile(scene, folder.path / "a.obj");
+    EXPECT_EQ(bytesOf(folder.path / "skin.png"), "somebody's own");
+    EXPECT_EQ(bytesOf(folder.path / "skin_2.png"), std::string(20, 7));
+    EXPECT_NE(bytesOf(folder.path / "a.mtl").find("map_Kd skin_2.png"), std::string::npos);
+    size_t files = 0;
+    for ([[maybe_unused]] const auto& e : fs::directory_iterator(folder.path)) ++files;
+    EXPECT_EQ(files, 4u);  // no temporary file is left, and the second time adds none
+}
+
+TEST(RoundTrip, WritingIsAllOrNothing)
+{
+    const Folder folder;
+    folder.write("a.ply", "before");
+    Progress stop;
+    stop.cancelled = true;
+    EXPECT_THROW(writeFile(sceneOf(patch(), "m"), folder.path / "a.ply", {}, &stop), Cancelled);
+    EXPECT_EQ(bytesOf(folder.path / "a.ply"), "before");
+    EXPECT_NE(errorOf([&] { writeFile(Scene(), folder.path / "a.ply"); }).find("no visible mesh"), std::string::npos);
+    EXPECT_EQ(bytesOf(folder.path / "a.ply"), "before");
+    EXPECT_NE(errorOf([&] { writeFile(sceneOf(patch(), "m"), folder.path / "none" / "a.ply"); }).find("folder"), std::string::npos);
+    EXPECT_NE(errorOf([&] { writeFile(sceneOf(patch(), "m"), folder.path / "a.xyz"); }).find("Stanford PLY"), std::string::npos);
+    size_t files = 0;
+    for ([[maybe_unused]] const auto& e : fs::directory_iterator(folder.path)) ++files;
+    EXPECT_EQ(files, 1u);
+}
+
+TEST(RoundTrip, EveryMeshOfTheData)
+{
+    MESHWRIGHT_DATA_OR_SKIP(data);
+    for (const auto& e : fs::recursive_directory_iterator(data / "meshes")) {
+        const bool ply = e.path().extension() == ".ply";
+        if ((!ply && e.path().extension() != ".obj") || e.path().filename() == "issue623.ply") continue;
+        SCOPED_TRACE(e.path().string());
+        const Folder folder;
+        const Imported in = readFile(e.path());
+        for (const WriteOptions& o : encodings) {
+            if (!ply && o.binary) continue;
+            const fs::path copy = folder.path / e.path().filename();
+            writeFile(in.scene, copy, o);
+            const Imported back = readFile(copy);
+            EXPECT_EQ(contentHash(meshOf(in)), contentHash(meshOf(back)));
+            EXPECT_TRUE(back.warnings.empty()) << back.warnings[0].text;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace mw::test

@@ -38,17 +38,17 @@ struct AttributePolicy {
 };
 
 struct Operation {
-    std::string id, title;  ///< "decimate-quadric", "Simplify by quadrics"
-    std::string section;    ///< of the book: "3.1.3"; empty when it is not in the book
-    std::string summary;    ///< one line: what it does
-    std::string category;   ///< menu and popup: "Simplify", "Subdivide", "Repair", "Primitives", "Query", ...
+    std::string id, title;     ///< "decimate-quadric", "Simplify by quadrics"
+    std::string section = {};  ///< of the book: "3.1.3"; empty when it is not in the book
+    std::string summary;       ///< one line: what it does
+    std::string category;      ///< menu and popup: "Simplify", "Subdivide", "Repair", "Primitives", "Query", ...
     Kind accepts = Kind::Mesh, yields = Kind::Mesh;
     bool steps = false;  ///< worth stepping: a lesson file resources/lessons/ID.json exists
-    AttributePolicy attributes;
+    AttributePolicy attributes = {};
     std::string source;  ///< its file: "core/simplify/decimate_quadric.cpp"
-    std::vector<Parameter> parameters;
+    std::vector<Parameter> parameters = {};
     /// Starts it. `input` is of kind `accepts`, `values` have been checked().
-    std::function<std::unique_ptr<Run>(const Value& input, const ParameterValues& values, bool watched)> start;
+    std::function<std::unique_ptr<Run>(const Value& input, const ParameterValues& values, bool watched)> start = {};
 };
 
 /// All operations, in menu order.

@@ -1,11 +1,45 @@
 // The list of operations, in menu order: one entry each.
 #include "core/catalog/entries.h"
+#include "core/mesh/primitives.h"
+#include "core/mesh/stripify.h"
+#include "core/metrics/valence.h"
+#include "core/repair/weld.h"
 
 namespace mw {
 
 std::span<const Operation> catalog()
 {
-    static const std::vector<Operation> operations = {};
+    static const std::vector<Operation> operations = {
+        entry<Icosphere, Mesh>({.id = "icosphere",
+                                .title = "Icosphere",
+                                .section = "2.3",
+                                .summary = "A sphere of nearly equal triangles, from the icosahedron.",
+                                .category = "Primitives",
+                                .source = "core/mesh/primitives.cpp"},
+                               icosphere),
+        entry<Mesh, Weld, Mesh>({.id = "weld",
+                                 .title = "Weld vertices",
+                                 .summary = "Vertices at the same place, or near it, become one.",
+                                 .category = "Repair",
+                                 .attributes = {Carried::Gathered, Carried::Same, Carried::Same},
+                                 .source = "core/repair/weld.cpp"},
+                                weld),
+        entry<Mesh, VertexValence, Table>({.id = "vertex-valence",
+                                           .title = "Valence of vertices",
+                                           .section = "2.3",
+                                           .summary = "How many edges meet at each vertex.",
+                                           .category = "Query",
+                                           .source = "core/metrics/valence.cpp"},
+                                          vertexValence),
+        entry<Mesh, Stripify, Table>({.id = "stripify",
+                                      .title = "Triangle strips",
+                                      .section = "2.1",
+                                      .summary = "Puts all triangles into few long strips and tells how many indices that saves.",
+                                      .category = "Query",
+                                      .steps = true,
+                                      .source = "core/mesh/stripify.cpp"},
+                                     stripify),
+    };
     return operations;
 }
 

@@ -98,6 +98,9 @@ public:
     void endStrip() { ++count_; }
 
     uint32_t faceOf(uint32_t triangle) const { return cut_.faces[triangle]; }
+    uint32_t from(uint32_t side) const { return cut_.vertices[side]; }
+    uint32_t to(uint32_t side) const { return cut_.vertices[sideAfter(side)]; }
+    uint32_t across(uint32_t side) const { return cut_.vertices[sideBefore(side)]; }
     size_t count() const { return count_; }
     size_t triangles() const { return cut_.faces.size(); }
     size_t triangleListIndices() const { return cut_.vertices.size(); }
@@ -186,13 +189,12 @@ void Strips::release(uint32_t triangle)
 void Strips::append(const Strip& strip, size_t i)
 {
     const uint32_t side = strip[i], triangle = side / 3;
-    const auto& v = cut_.vertices;
     if (i == 0) {
         if (!indices_.empty()) indices_.push_back(restartIndex);
-        indices_.push_back(v[side]);
-        indices_.push_back(v[sideAfter(side)]);
+        indices_.push_back(from(side));
+        indices_.push_back(to(side));
     }
-    indices_.push_back(v[sideBefore(side)]);  // the vertex that is not on the side
+    indices_.push_back(across(side));
     double& s = stripOfFace_[cut_.faces[triangle]];
     const bool isFirstOfFace = triangle == 0 || cut_.faces[triangle - 1] != cut_.faces[triangle];
     if (isFirstOfFace) s = double(count_);
@@ -235,7 +237,11 @@ Generator stripify(Mesh input, Stripify parameters, Stage<Table>& stage)
             if (stage.watched())
                 co_yield Step("extend")
                     .face(strips.faceOf(strip[i] / 3), Role::New, "t")
+                    .edge(strips.from(strip[i]), strips.to(strip[i]), Role::Current, "e")
+                    .vertex(strips.across(strip[i]), Role::New, "s")
                     .number("i", double(i))
+                    .number("turned", double(i % 2))
+                    .number("vertex", strips.across(strip[i]))
                     .number("length", double(i + 1))
                     .number("indices", double(strips.indices()))
                     .progress(double(done) / all);
@@ -246,7 +252,7 @@ Generator stripify(Mesh input, Stripify parameters, Stage<Table>& stage)
                 .number("length", double(strip.size()))
                 .number("strips", double(strips.count()))
                 .number("indices", double(strips.indices()))
-                .number("saved per cent", 100 * (1 - double(strips.indices()) / (3 * double(done))))
+                .number("saved", 100 * (1 - double(strips.indices()) / (3 * double(done))))
                 .progress(double(done) / all);
     }
     stage.finish(strips.table());

@@ -92,20 +92,42 @@ glm::dvec3 Camera::project(glm::dvec3 world, glm::dvec2 size) const
     return {0.5 * (ndc.x + 1) * size.x, 0.5 * (1 - ndc.y) * size.y, 0.5 * (ndc.z + 1)};
 }
 
-void Camera::frame(const Bounds& bounds, double aspect)
+CameraFit::CameraFit(const Camera& camera, double aspect) : viewFromWorld_(camera.viewFromWorld()), perspective_(camera.perspective)
 {
     constexpr double margin = 1.08;
+    slope_ = std::tan(0.5 * camera.fieldOfView) / margin * glm::dvec2(aspect, 1);
+}
+
+void CameraFit::add(glm::dvec3 world)
+{
+    const glm::dvec3 p = viewFromWorld_ * world;
+    // A side of the view is x = slope * (eye - z): a point needs the eye's x + slope * z to be at least its own.
+    const glm::dvec2 shear = perspective_ ? slope_ * p.z : glm::dvec2(0);
+    const glm::dvec2 r = glm::dvec2(p) + shear, l = -glm::dvec2(p) + shear;
+    right_ = empty_ ? r : glm::max(right_, r);
+    left_ = empty_ ? l : glm::max(left_, l);
+    front_ = empty_ ? p.z : std::max(front_, p.z);
+    back_ = empty_ ? p.z : std::min(back_, p.z);
+    empty_ = false;
+}
+
+void CameraFit::apply(Camera& camera) const
+{
+    if (empty_) return;
+    const glm::dvec2 need = 0.5 * (right_ + left_) / slope_, middle = 0.5 * (right_ - left_);
+    const double depth = 0.5 * (front_ + back_);
+    const double eye = std::max(need.x, need.y) + (perspective_ ? 0 : depth);  // when parallel `need` is a size, not a place
+    camera.target = glm::transpose(viewFromWorld_) * glm::dvec3(middle, depth);
+    const double d = eye - depth;
+    camera.distance = d > 0 ? std::clamp(d, nearest, farthest) : 1;  // a single point is shown from one unit away
+}
+
+void Camera::frame(const Bounds& bounds, double aspect)
+{
     if (bounds.empty) return;
-    target = bounds.centre();
-    const Axes a = axesOf(*this);
-    const double t = std::tan(0.5 * fieldOfView) / margin;
-    double d = 0;
-    for (const glm::dvec3& corner : corners(bounds)) {
-        const glm::dvec3 p = corner - target;
-        const double across = std::max(std::abs(glm::dot(p, a.up)), std::abs(glm::dot(p, a.right)) / aspect);
-        d = std::max(d, across / t + (perspective ? glm::dot(p, a.back) : 0));
-    }
-    distance = d > 0 ? std::clamp(d, nearest, farthest) : 1;  // a single point is shown from one unit away
+    CameraFit fit(*this, aspect);
+    for (const glm::dvec3& corner : corners(bounds)) fit.add(corner);
+    fit.apply(*this);
     fitClip(bounds);
 }
 

@@ -35,6 +35,23 @@ struct Camera {
     void zoom(double steps, glm::dvec2 pixel, glm::dvec2 size);  ///< towards the cursor
 };
 
+/// Collects points and then moves a camera, without turning it, to where it sees all of them as large as can be.
+class CameraFit {
+public:
+    CameraFit(const Camera& camera, double aspect);
+    void add(glm::dvec3 world);
+    /// A camera that was given no point stays as it is.
+    void apply(Camera& camera) const;
+
+private:
+    glm::dmat3 viewFromWorld_;  // rotation alone
+    bool perspective_;
+    glm::dvec2 slope_;               // of the sides of the view, or the aspect alone when parallel
+    glm::dvec2 right_{0}, left_{0};  // how far points reach towards the upper and the lower side, x and y
+    double front_ = 0, back_ = 0;
+    bool empty_ = true;
+};
+
 /// "front", "back", "left", "right", "top", "bottom", or "azimuth,elevation" in degrees. False when it is neither.
 bool setView(Camera& camera, std::string_view view);
 

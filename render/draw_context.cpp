@@ -31,11 +31,11 @@ LightsBlock studio()
     l.direction[0] = towards({-0.45f, 0.72f, 0.62f});
     l.direction[1] = towards({0.85f, 0.1f, 0.45f});
     l.direction[2] = towards({0.25f, 0.5f, -0.85f});
-    l.light[0] = glm::vec4(0.80f * glm::vec3(1.0f, 0.985f, 0.96f), 0);
-    l.light[1] = glm::vec4(0.16f * glm::vec3(0.85f, 0.93f, 1.0f), 0);
-    l.light[2] = glm::vec4(0.30f * glm::vec3(0.92f, 0.96f, 1.0f), 0);
-    l.sky = glm::vec4(0.20f * glm::vec3(0.93f, 0.97f, 1.05f), 0);
-    l.ground = glm::vec4(0.05f * glm::vec3(1.05f, 1.0f, 0.95f), 0);
+    l.light[0] = glm::vec4(0.66f * glm::vec3(1.0f, 0.985f, 0.96f), 0);
+    l.light[1] = glm::vec4(0.10f * glm::vec3(0.85f, 0.93f, 1.0f), 0);
+    l.light[2] = glm::vec4(0.22f * glm::vec3(0.92f, 0.96f, 1.0f), 0);
+    l.sky = glm::vec4(0.13f * glm::vec3(0.93f, 0.97f, 1.05f), 0);
+    l.ground = glm::vec4(0.035f * glm::vec3(1.05f, 1.0f, 0.95f), 0);
     return l;
 }
 

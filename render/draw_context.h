@@ -24,7 +24,9 @@ struct GpuState {
     Programs programs;
     gl::VertexArray vertexArray;
     gl::Buffer cameraBlock, lightsBlock, objectBlock, transient, transientIndices;
-    gl::Texture heatTable;
+    gl::Texture heatTable, mask;
+    gl::Framebuffer maskFramebuffer;
+    glm::ivec2 maskSize{0};
     GLint maxTextureBuffer = 65536;
 };
 
@@ -59,6 +61,8 @@ void drawSurfaces(DrawContext& c);
 void drawWires(DrawContext& c);
 void drawGrid(DrawContext& c);
 void drawLoose(DrawContext& c);  ///< lines and points that belong to no face, needles
+/// A line round what is selected or under the pointer, from the mask in the picture's alpha; then alpha is 1 everywhere.
+void drawOutlines(DrawContext& c, unsigned target);
 void drawMarks(DrawContext& c);
 
 /// The surface of one object, bound: layout, buffers, winding. For passes that draw triangles.

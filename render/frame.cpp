@@ -51,6 +51,15 @@ Bounds boundsOf(const Frame& frame)
     return all;
 }
 
+void frameTightly(Frame& frame, double aspect)
+{
+    CameraFit fit(frame.camera, aspect);
+    for (const DrawObject& o : frame.objects)
+        for (const glm::vec3& p : o.mesh.positions()) fit.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(p), 1)));
+    fit.apply(frame.camera);
+    frame.camera.fitClip(boundsOf(frame));
+}
+
 std::pair<double, double> heatRange(const Column& column)
 {
     std::vector<double> v;

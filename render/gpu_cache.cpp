@@ -4,6 +4,11 @@
 #include <vector>
 
 namespace mw {
+namespace {
+
+constexpr uint64_t unownedFrames = 8;  // what belongs to nobody (marks) goes when it was not drawn for so long
+
+}  // namespace
 
 bool GpuCache::Entry::alive() const
 {
@@ -17,7 +22,8 @@ void GpuCache::beginFrame()
     ++frame_;
     uploaded_ = 0;
     std::erase_if(entries_, [&](const auto& e) {
-        if (e.second.alive()) return false;
+        const bool owned = e.second.owned[0] || e.second.owned[1] || e.second.owned[2];
+        if (e.second.alive() && (owned || e.second.lastUse + unownedFrames >= frame_)) return false;
         bytes_ -= e.second.bytes;
         return true;
     });
@@ -29,6 +35,12 @@ void GpuCache::beginFrame()
         bytes_ -= oldest->second.bytes;
         entries_.erase(oldest);
     }
+}
+
+size_t GpuCache::bytesOf(const GpuKey& key) const
+{
+    const auto i = entries_.find(key);
+    return i == entries_.end() ? 0 : i->second.bytes;
 }
 
 GpuCache::Entry* GpuCache::find(const GpuKey& key)

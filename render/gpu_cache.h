@@ -40,6 +40,7 @@ public:
             return std::as_bytes(std::span(kept.data(), kept.size()));
         });
     }
+    size_t bytesOf(const GpuKey& key) const;
     /// A texture that shaders read a buffer through.
     GLuint bufferTexture(const GpuKey& key, GLenum format);
     /// A picture made once; `make` fills the bound 2D texture and says how many bytes it took.

@@ -7,7 +7,7 @@
 namespace mw {
 namespace {
 
-constexpr int halfLines = 40;  // to each side of the middle
+constexpr int halfLines = 60;  // to each side of the middle
 
 /// Lines of one spacing round the middle as pairs of ends; the axes themselves are left out.
 void addLines(std::vector<glm::vec3>& out, glm::dvec3 middle, double spacing, bool skipTenth)
@@ -62,10 +62,10 @@ void drawGrid(DrawContext& c)
     const ViewOptions& options = c.frame.options;
     if (!options.grid && !options.axes) return;
     // Spacing follows the distance in powers of ten; the finer lines fade in as one comes closer.
-    const double scale = std::log10(c.camera.distance * 0.32), level = std::floor(scale), fine = std::pow(10, level - 1);
+    const double scale = std::log10(c.camera.distance * 0.45), level = std::floor(scale), fine = std::pow(10, level - 1);
     const double closeness = 1 - (scale - level);
     const glm::dvec3 middle(c.camera.target.x, 0, c.camera.target.z);
-    const GridLook look{middle, 4 * c.camera.distance};
+    const GridLook look{middle, 2.6 * c.camera.distance};
     const ThemeColors& theme = themeColors(options.theme);
     const bool fromBelow = c.camera.eye().y < 0;
     const float strength = fromBelow ? 0.25f : 1.f;
@@ -77,7 +77,7 @@ void drawGrid(DrawContext& c)
     std::vector<glm::vec3> points;
     if (options.grid) {
         addLines(points, middle, fine, true);
-        drawLines(c, look, points, {theme.grid, 0.5f * strength * float(closeness)}, 1);
+        drawLines(c, {middle, std::min(look.reach, halfLines * fine)}, points, {theme.grid, 0.6f * strength * float(closeness)}, 1);
         points.clear();
         addLines(points, middle, 10 * fine, false);
         drawLines(c, look, points, {theme.grid, 0.8f * strength}, 1);

@@ -3,11 +3,15 @@
 
 #include "core/error.h"
 #include "render/draw_context.h"
+#include "render/id_buffer.h"
+#include "render/overlay.h"
 
 namespace mw {
 
 struct Renderer::Impl {
     GpuState gpu;
+    IdBuffer ids;
+    Canvas canvas;
     Counts counts;
 };
 
@@ -76,10 +80,34 @@ void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
     drawBackground(c);
     drawSurfaces(c);
     drawGrid(c);
+    drawWires(c);
+    drawLoose(c);
+    drawOutlines(c, target);
+    drawMarks(c);
+    drawLabels(c, impl_->canvas);
+    drawLegend(c, impl_->canvas);
+    drawMarker(c, impl_->canvas);
+    impl_->canvas.flush(c);
     impl_->counts = c.counts;
     impl_->counts.uploadedBytes = gpu.cache.uploadedBytes();
     glBindVertexArray(0);
     glUseProgram(0);
+}
+
+std::optional<Pick> Renderer::pick(const Frame& frame, glm::ivec2 size, glm::dvec2 pixel)
+{
+    if (size.x < 1 || size.y < 1) return {};
+    DrawContext c(impl_->gpu, frame, size);
+    cleanState(impl_->gpu.vertexArray.id(), 0, size);
+    return pickAt(c, impl_->ids, pixel);
+}
+
+std::vector<std::pair<NodeId, std::vector<uint32_t>>> Renderer::visibleFaces(const Frame& frame, glm::ivec2 size, glm::ivec2 low, glm::ivec2 high)
+{
+    if (size.x < 1 || size.y < 1) return {};
+    DrawContext c(impl_->gpu, frame, size);
+    cleanState(impl_->gpu.vertexArray.id(), 0, size);
+    return facesIn(impl_->ids.read(c, glm::min(low, high), glm::max(low, high)));
 }
 
 Renderer::Counts Renderer::counts() const

@@ -1,6 +1,7 @@
 // Draws a frame (objects, options, overlays) into the bound framebuffer. OpenGL 4.1 core through libepoxy; no Qt. The window gives it a
 // context, the command line makes one by surfaceless EGL (render/offscreen.h). Nothing unchanged is uploaded again.
 #pragma once
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
@@ -52,10 +53,13 @@ struct Label {
     std::string text;
     glm::vec4 color{1};
 };
+/// A point, or a segment, given by place.
 struct MarkPoint {
     glm::vec3 atWorld;
     glm::vec4 color{1};
-    float diameter = 8;
+    float diameter = 8;                ///< or width of the line, logical pixels
+    std::optional<glm::vec3> toWorld;  ///< makes it a segment
+    bool dashed = false;
 };
 
 /// The marks of a step's focus by role: shape as well as colour (ui/UI.md 5).
@@ -84,13 +88,15 @@ struct Frame {
 /// All visible nodes of a scene. `shown` gives the mesh to draw of each mesh object.
 Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown);
 Bounds boundsOf(const Frame& frame);
+/// Moves the frame's camera, without turning it, to where everything just fits; closer than Camera::frame, which only knows a box.
+void frameTightly(Frame& frame, double aspect);
 
 /// What lies under a pixel.
 struct Pick {
     NodeId node;
-    uint32_t face = none;         ///< payload face
-    uint32_t vertex = none;       ///< nearest vertex of that face, if within the tolerance
-    glm::uvec2 edge{none, none};  ///< nearest edge, if within the tolerance
+    uint32_t face = none;         ///< payload face at the pixel; none when it is beside the surface or on a loose point
+    uint32_t vertex = none;       ///< nearest visible vertex within the tolerance
+    glm::uvec2 edge{none, none};  ///< nearest visible edge within the tolerance, lower vertex first
     glm::dvec3 atWorld{0};
 };
 
@@ -103,7 +109,8 @@ public:
 
     /// Draws into framebuffer `target`, `size` in device pixels.
     void draw(const Frame& frame, unsigned target, glm::ivec2 size);
-    /// Id buffer at the pixel (device pixels, origin top left); tolerances in logical pixels as in ui/UI.md 3.
+    /// What is at a pixel (device pixels, origin top left) or, of vertices and edges, near it; tolerances as in ui/UI.md 3. Cheap while
+    /// camera and objects stay as they are. Leaves another framebuffer bound.
     std::optional<Pick> pick(const Frame& frame, glm::ivec2 size, glm::dvec2 pixel);
     /// All faces visible in a rectangle, by node.
     std::vector<std::pair<NodeId, std::vector<uint32_t>>> visibleFaces(const Frame& frame, glm::ivec2 size, glm::ivec2 low, glm::ivec2 high);

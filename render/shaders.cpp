@@ -13,22 +13,24 @@ namespace {
 constexpr const char* camera[] = {"camera.glsl"};
 constexpr const char* object[] = {"camera.glsl", "object.glsl"};
 constexpr const char* lit[] = {"camera.glsl", "object.glsl", "lights.glsl", "heat.glsl"};
+constexpr const char* disc[] = {"camera.glsl", "object.glsl", "lights.glsl"};
 constexpr const char* canvas[] = {"camera.glsl", "heat.glsl"};
 
 constexpr const char* surfaceVariants[] = {"FLAT", "COLOR", "MATERIAL", "HEAT", "HEAT_CATEGORY", "HEAT_FACE"};
 constexpr const char* wireVariants[] = {"EDGE_FLAGS"};
 constexpr const char* lineVariants[] = {"HALO"};
+constexpr const char* discVariants[] = {"COLOR"};
 
 constexpr ProgramRow table[] = {
     {ProgramId::Background, "background", "background.vert", nullptr, "background.frag", camera, {}},
     {ProgramId::Surface, "surface", "surface.vert", nullptr, "surface.frag", lit, surfaceVariants},
     {ProgramId::Wire, "wire", "wire.vert", "wire.geom", "wire.frag", object, wireVariants},
     {ProgramId::Line, "line", "line.vert", "line.geom", "line.frag", object, lineVariants},
-    {ProgramId::Disc, "disc", "disc.vert", nullptr, "disc.frag", object, {}},
+    {ProgramId::Disc, "disc", "disc.vert", nullptr, "disc.frag", disc, discVariants},
     {ProgramId::FaceMark, "face mark", "face_mark.vert", nullptr, "face_mark.frag", object, {}},
     {ProgramId::Needle, "needle", "needle.vert", "line.geom", "line.frag", object, lineVariants},
     {ProgramId::Canvas, "canvas", "canvas.vert", nullptr, "canvas.frag", canvas, {}},
-    {ProgramId::Outline, "outline", "background.vert", nullptr, "outline.frag", camera, {}},
+    {ProgramId::Outline, "outline", "background.vert", nullptr, "outline.frag", object, {}},
     {ProgramId::Ids, "ids", "ids.vert", nullptr, "ids.frag", object, {}},
     {ProgramId::IdPoints, "id points", "id_points.vert", nullptr, "id_points.frag", object, {}},
 };

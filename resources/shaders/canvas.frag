@@ -13,8 +13,7 @@ void main()
         float t = clamp(dot(p, ab) / max(dot(ab, ab), 1e-6), 0.0, 1.0);
         color = vec4(itemFill.rgb, itemFill.a * clamp(itemShape.y + 0.5 - length(p - t * ab), 0.0, 1.0));
     } else if (itemShape.x == 3.0) {  // the colour bar
-        float t = mix(texel.x, texel.y, (local.x - itemBox.x) / (itemBox.z - itemBox.x));
-        color = vec4(heatColor(t, vec4(1.0, 0.0, 0.0, itemShape.w)), itemFill.a);
+        color = vec4(heatColor(texel.x, vec4(1.0, 0.0, 0.0, itemShape.w)), itemFill.a);
     } else {  // a box with round corners
         vec2 middle = 0.5 * (itemBox.xy + itemBox.zw), half_ = 0.5 * (itemBox.zw - itemBox.xy);
         vec2 q = abs(local - middle) - half_ + itemShape.y;

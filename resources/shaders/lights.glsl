@@ -19,7 +19,7 @@ vec3 linearOf(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)
 vec3 diffuseLight(vec3 n)
 {
     vec3 sum = mix(ground.rgb, sky.rgb, 0.5 + 0.5 * n.y);
-    sum += light[0].rgb * max((dot(n, direction[0].xyz) + 0.25) * 0.8, 0.0);  // wrapped: no hard terminator
+    sum += light[0].rgb * max((dot(n, direction[0].xyz) + 0.12) * 0.893, 0.0);  // wrapped a little: no hard terminator
     sum += light[1].rgb * max(dot(n, direction[1].xyz), 0.0);
     sum += light[2].rgb * max(dot(n, direction[2].xyz), 0.0);
     return sum;

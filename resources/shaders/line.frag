@@ -24,6 +24,6 @@ void main()
     color = vec4(mark.rgb, mark.a * alpha);
 #endif
     // The ground's lines fade with the distance; everything else has no range.
-    if (heat.x > 0.0) color.a *= 1.0 - smoothstep(0.15, 1.0, length(lineView - heat.yzw) * heat.x);
+    if (heat.x > 0.0) color.a *= 1.0 - smoothstep(0.1, 1.0, length(lineView - heat.yzw) * heat.x);
     if (color.a < 0.004) discard;
 }

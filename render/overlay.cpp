@@ -1,0 +1,220 @@
+// Labels, legend and orientation marker, in the measures of ui/UI.md.
+#include "render/overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace mw {
+namespace {
+
+constexpr float legendWidth = 262, legendHeight = 132, margin = 12, pad = 11, markerSize = 78;
+constexpr size_t legendBars = 20;
+
+const HeatMap* shownHeat(const DrawContext& c)
+{
+    const DrawObject* best = nullptr;  // of the selected object, else of the first that has one
+    for (const DrawObject& o : c.frame.objects)
+        if (o.heat && o.heat->table && o.heat->column < o.heat->table->columns.size() && (!best || (o.selected && !best->selected))) best = &o;
+    return best ? best->heat.get() : nullptr;
+}
+
+const char* perWhat(ElementKind rows)
+{
+    switch (rows) {
+        case ElementKind::Vertex:
+            return "per vertex";
+        case ElementKind::Face:
+            return "per face";
+        case ElementKind::Edge:
+            return "per edge";
+        default:
+            return "";
+    }
+}
+
+/// Places a label beside its point where it covers no other label, below right if there is no such place.
+glm::vec2 labelPlace(glm::vec2 at, glm::vec2 extent, float gap, std::vector<std::pair<glm::vec2, glm::vec2>>& taken)
+{
+    const glm::vec2 places[] = {{gap, gap},
+                                {-gap - extent.x, gap},
+                                {gap, -gap - extent.y},
+                                {-gap - extent.x, -gap - extent.y},
+                                {-0.5f * extent.x, 1.6f * gap},
+                                {-0.5f * extent.x, -1.6f * gap - extent.y}};
+    const auto isFree = [&](glm::vec2 low) {
+        return std::none_of(taken.begin(), taken.end(), [&](const auto& t) {
+            return low.x < t.second.x && t.first.x < low.x + extent.x && low.y < t.second.y && t.first.y < low.y + extent.y;
+        });
+    };
+    glm::vec2 low = glm::round(at + places[0]);
+    for (const glm::vec2& p : places) {
+        if (!isFree(glm::round(at + p))) continue;
+        low = glm::round(at + p);
+        break;
+    }
+    taken.emplace_back(low, low + extent);
+    return low;
+}
+
+/// Counts a heat map's bars once for each table and column: counting a million values is too much for every frame.
+struct HistogramCache {
+    std::weak_ptr<const Table> table;
+    size_t column = 0;
+    double low = 0, high = 0;
+    std::vector<size_t> bars;
+    double least = 0, most = 0;
+};
+
+const HistogramCache& histogramFor(const HeatMap& h)
+{
+    thread_local HistogramCache cache;
+    if (cache.table.lock() == h.table && cache.column == h.column && cache.low == h.low && cache.high == h.high) return cache;
+    const Column& column = h.table->columns[h.column];
+    cache = {h.table, h.column, h.low, h.high, histogramOf(column, h.low, h.high, legendBars), h.high, h.low};
+    for (const double v : column.values) {
+        if (!std::isfinite(v)) continue;
+        cache.least = std::min(cache.least, v);
+        cache.most = std::max(cache.most, v);
+    }
+    return cache;
+}
+
+void drawBars(Canvas& canvas, glm::vec2 low, glm::vec2 high, const std::vector<size_t>& bars, glm::vec4 color, float px)
+{
+    const size_t most = std::max<size_t>(*std::max_element(bars.begin(), bars.end()), 1);
+    const float step = (high.x - low.x) / float(bars.size());
+    for (size_t i = 0; i < bars.size(); ++i) {
+        if (bars[i] == 0) continue;
+        const float h = std::max((high.y - low.y) * float(bars[i]) / float(most), px);
+        const float left = std::round(low.x + float(i) * step), right = std::round(low.x + float(i + 1) * step) - px;
+        canvas.box({left, high.y - h}, {right, high.y}, color);
+    }
+}
+
+void drawTicks(Canvas& canvas, const HeatMap& h, const HistogramCache& seen, glm::vec2 low, glm::vec2 high, int font, glm::vec4 color)
+{
+    constexpr int steps = 4;
+    for (int i = 0; i <= steps; ++i) {
+        std::string text = tickText(h.low + (h.high - h.low) * i / steps);
+        if (i == 0 && seen.least < h.low) text = "\u2264 " + text;
+        if (i == steps && seen.most > h.high) text = "\u2265 " + text;
+        const auto align = i == 0 ? Canvas::Align::Left : i == steps ? Canvas::Align::Right : Canvas::Align::Centre;
+        canvas.text({low.x + (high.x - low.x) * float(i) / steps, high.y}, text, font, color, false, align);
+    }
+}
+
+/// Categories: as many swatches as there are, with their numbers.
+void drawSwatches(Canvas& canvas, const HistogramCache& seen, glm::vec2 low, glm::vec2 high, float px, int font, glm::vec4 color)
+{
+    const int count = int(std::clamp(seen.most - seen.least + 1, 1.0, double(categoryCount)));
+    const float step = (high.x - low.x) / float(count);
+    for (int i = 0; i < count; ++i) {
+        const float t = float((int(seen.least) + i) % categoryCount) / float(heatEntries - 1);
+        canvas.colorBar({std::round(low.x + float(i) * step), low.y}, {std::round(low.x + float(i + 1) * step) - px, high.y}, categoryRow, t, t);
+    }
+    canvas.text({low.x, high.y + 17 * px}, tickText(seen.least), font, color);
+    canvas.text({high.x, high.y + 17 * px}, tickText(seen.most), font, color, false, Canvas::Align::Right);
+}
+
+struct Axis {
+    glm::vec3 direction;  // view space
+    glm::vec3 color;
+    const char* name;  // null: the negative end
+};
+
+}  // namespace
+
+std::vector<size_t> histogramOf(const Column& column, double low, double high, size_t bars)
+{
+    std::vector<size_t> counts(bars, 0);
+    const double scale = high > low ? double(bars) / (high - low) : 0;
+    for (const double v : column.values)
+        if (std::isfinite(v)) ++counts[size_t(std::clamp((v - low) * scale, 0.0, double(bars) - 1))];
+    return counts;
+}
+
+std::string tickText(double v)
+{
+    if (v == 0) return "0";
+    char text[40];
+    const auto end = std::to_chars(text, text + sizeof text, v, std::chars_format::general, 3).ptr;
+    std::string s(text, end);
+    if (s[0] == '-') s.replace(0, 1, "\u2212");
+    return s;
+}
+
+void drawLabels(const DrawContext& c, Canvas& canvas)
+{
+    const ThemeColors& theme = themeColors(Theme::Dark);  // labels are dark in both themes: they lie on the model
+    const float px = float(c.frame.options.pixelRatio);
+    const int font = int(std::lround(13 * px));
+    std::vector<std::pair<glm::vec2, glm::vec2>> taken;
+    for (const Label& label : c.frame.labels) {
+        const glm::dvec4 clip = c.clipFromView * c.viewFromWorld * glm::dvec4(glm::dvec3(label.atWorld), 1);
+        if (clip.w <= 0 || label.text.empty()) continue;
+        const glm::vec2 at((0.5 * (clip.x / clip.w + 1)) * c.size.x, (0.5 * (1 - clip.y / clip.w)) * c.size.y);
+        const float w = canvas.width(label.text, font, true);
+        const glm::vec2 extent = glm::vec2(w + 11 * px, 21 * px), low = labelPlace(at, extent, 9 * px, taken), high = low + extent;
+        canvas.box(low, high, glm::vec4(theme.field, 0.94f), 3 * px);
+        canvas.text({low.x + 5.5f * px, high.y - 6 * px}, label.text, font, label.color, true);
+    }
+}
+
+void drawLegend(const DrawContext& c, Canvas& canvas)
+{
+    const HeatMap* h = c.frame.options.legend ? shownHeat(c) : nullptr;
+    const float px = float(c.frame.options.pixelRatio);
+    if (!h || float(c.size.x) < (legendWidth + 2 * margin) * px || float(c.size.y) < (legendHeight + 2 * margin) * px) return;
+    const Column& column = h->table->columns[h->column];
+    const ThemeColors& theme = themeColors(c.frame.options.theme);
+    const HistogramCache& seen = histogramFor(*h);
+    const int font = int(std::lround(13 * px)), small = int(std::lround(12 * px));
+    const glm::vec4 text(theme.text, 1), text2(theme.text2, 1);
+    const glm::vec2 low = glm::round(glm::vec2(margin * px, float(c.size.y) - (margin + legendHeight) * px));
+    const glm::vec2 high = low + glm::round(glm::vec2(legendWidth, legendHeight) * px);
+    canvas.box(low, high, glm::vec4(theme.panel, 1), 4 * px, px, glm::vec4(theme.border, 1));
+    const float left = low.x + pad * px, right = high.x - pad * px;
+    std::string name = column.name;
+    if (!column.unit.empty()) name += " (" + column.unit + ")";
+    canvas.text({left, low.y + 22 * px}, name, font, text, true);
+    canvas.text({right, low.y + 22 * px}, perWhat(h->table->rows), small, text2, false, Canvas::Align::Right);
+    const float barTop = std::round(low.y + 84 * px), barBottom = std::round(low.y + 97 * px);
+    if (column.categorical) {
+        drawSwatches(canvas, seen, {left, low.y + 36 * px}, {right, barBottom}, px, small, text2);
+        return;
+    }
+    drawBars(canvas, {left, low.y + 34 * px}, {right, barTop - 2 * px}, seen.bars, glm::vec4(theme.bars, 1), px);
+    canvas.colorBar({left, barTop}, {right, barBottom}, heatRow(*h));
+    drawTicks(canvas, *h, seen, {left, barBottom}, {right, barBottom + 19 * px}, small, text2);
+}
+
+void drawMarker(const DrawContext& c, Canvas& canvas)
+{
+    if (!c.frame.options.orientationMarker) return;
+    const float px = float(c.frame.options.pixelRatio);
+    const float radius = 0.5f * markerSize * px, reach = radius - 12 * px, ball = 8.2f * px;
+    if (float(c.size.x) < 3 * radius || float(c.size.y) < 3 * radius) return;
+    const glm::vec2 centre(float(c.size.x) - margin * px - radius, margin * px + radius);
+    const bool dark = c.frame.options.theme == Theme::Dark;
+    canvas.disc(centre, radius, dark ? glm::vec4(hex(0x1B1D20), 0.62f) : glm::vec4(hex(0x7D8690), 0.65f));
+    const glm::mat3 turn(c.viewFromWorld);
+    std::array<Axis, 6> axes{Axis{turn[0], hex(0xE5484D), "X"},      Axis{turn[1], hex(0x6CC04A), "Y"},      Axis{turn[2], hex(0x4A90E2), "Z"},
+                             Axis{-turn[0], hex(0xE5484D), nullptr}, Axis{-turn[1], hex(0x6CC04A), nullptr}, Axis{-turn[2], hex(0x4A90E2), nullptr}};
+    std::sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.direction.z < b.direction.z; });
+    const int font = int(std::lround(11 * px));
+    for (const Axis& a : axes) {
+        const glm::vec2 at = centre + reach * glm::vec2(a.direction.x, -a.direction.y);
+        const glm::vec4 color(a.color, 1);
+        if (!a.name) {
+            canvas.disc(at, 5.4f * px, dark ? glm::vec4(hex(0x1B1D20), 0.55f) : glm::vec4(hex(0xD5D9DE), 0.55f), 1.4f * px, color);
+            continue;
+        }
+        canvas.stroke(centre, at, 2 * px, color);
+        canvas.disc(at, ball, color);
+        canvas.text({at.x, at.y + 4 * px}, a.name, font, glm::vec4(hex(0x101215), 1), true, Canvas::Align::Centre);
+    }
+}
+
+}  // namespace mw

@@ -3,6 +3,7 @@
 #include "core/mesh/primitives.h"
 #include "core/mesh/stripify.h"
 #include "core/metrics/valence.h"
+#include "core/repair/smooth.h"
 #include "core/repair/weld.h"
 
 namespace mw {
@@ -39,6 +40,15 @@ std::span<const Operation> catalog()
                                       .steps = true,
                                       .source = "core/mesh/stripify.cpp"},
                                      stripify),
+        entry({.id = "smooth",
+               .title = "Smooth",
+               .section = "",
+               .summary = "Moves every vertex towards the mean of its ring, keeping the size of the shape (Taubin) or not (Laplacian).",
+               .category = "Smooth",
+               .steps = true,
+               .attributes = {Carried::Same, Carried::Same, Carried::Same},
+               .source = "core/repair/smooth.cpp"},
+              smooth),
     };
     return operations;
 }

@@ -168,7 +168,13 @@ TEST_P(Contract, AttributesAreCarriedAsStated)
     expectKept(op.attributes.corner, "texcoord", Domain::Corner);
     expectKept(op.attributes.face, "material", Domain::Face);
     // "place" began as the position; whatever is mixed as positions are stays it, whatever is read off the surface stays near it.
-    if (const Attribute* place = out.find("place", Domain::Vertex)) {
+    const Attribute* place = out.find("place", Domain::Vertex);
+    if (place && op.attributes.vertex == Carried::Same) {
+        const Mesh input = testMesh(true);
+        const Attribute& before = *input.find("place");
+        for (size_t v = 0; v < out.vertexCount(); ++v)
+            for (int k = 0; k < 3; ++k) ASSERT_EQ(place->at(v, k), before.at(v, k)) << "vertex " << v;
+    } else if (place) {
         const double tolerance = op.attributes.vertex == Carried::Stencil ? 1e-5 : 0.1;
         for (size_t v = 0; v < out.vertexCount(); ++v)
             for (int k = 0; k < 3; ++k) EXPECT_NEAR(place->at(v, k), out.positions()[v][k], tolerance) << "vertex " << v;

@@ -129,7 +129,7 @@ TEST_P(Contract, CancellingAndLettingGoLeavesNothingBehind)
 TEST_P(Contract, OddMeshesGiveAResultOrAnError)
 {
     const Operation& op = *GetParam();
-    if (op.accepts != Kind::Mesh) GTEST_SKIP() << "takes no mesh";
+    if (op.accepts != Kind::Mesh) return;  // not about it
     const Array<glm::vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
     const Mesh odd[] = {
         Mesh(),
@@ -153,7 +153,7 @@ TEST_P(Contract, OddMeshesGiveAResultOrAnError)
 TEST_P(Contract, AttributesAreCarriedAsStated)
 {
     const Operation& op = *GetParam();
-    if (op.accepts != Kind::Mesh || op.yields != Kind::Mesh) GTEST_SKIP() << "no modifier";
+    if (op.accepts != Kind::Mesh || op.yields != Kind::Mesh) return;  // not about it
     const Mesh out = std::get<Mesh>(apply(op, testMesh(true), {}));
     const auto expectKept = [&](Carried c, const char* name, Domain d) {
         if (c == Carried::NotApplicable) return;

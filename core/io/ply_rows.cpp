@@ -268,22 +268,31 @@ bool PlyBody::readPlainFaces(const PlyElement& element, std::vector<PlyColumn>& 
     const bool plain = columns.size() == 1 && c.indices && c.property.countType == Scalar::UInt8 && byteSize(c.property.type) == 4 &&
                        isInteger(c.property.type) && !swap_;
     if (!plain) return false;
+    // Negative indices are above any number of vertices when taken as unsigned.
     const size_t rows = size_t(element.count);
+    const char *p = p_, *end = bytes_.end();
+    Filling<uint32_t>& values = c.indices->values;
+    uint32_t* start = c.indices->start.room(rows);
+    size_t size = values.size();
     for (row_ = 0; row_ < rows; ++row_) {
-        if (p_ == bytes_.end()) ends(element, 1);
-        const size_t n = uint8_t(*p_++);
-        if (left() < 4 * n) ends(element, 4 * n);
-        uint32_t v[255];
-        // A negative index is above any number of vertices when taken as unsigned.
+        const size_t n = uint8_t(*p);  // after the last byte there is padding
+        if (size_t(end - p) < 1 + 4 * n) {
+            p_ = p;
+            ends(element, 1 + 4 * n);
+        }
+        uint32_t* to = values.room(n);
         if (n == 3)
-            std::memcpy(v, p_, 12);
+            std::memcpy(to, p + 1, 12);
         else
-            std::memcpy(v, p_, 4 * n);
-        c.indices->values.append(v, n);
-        c.indices->start.push(uint32_t(c.indices->values.size()));
-        p_ += 4 * n;
-        if (progress_ && (row_ & 0xffff) == 0) progress_->at(float(double(p_ - bytes_.begin()) / double(bytes_.size())));
+            std::memcpy(to, p + 1, 4 * n);
+        size += n;
+        values.cut(size);
+        start[row_] = uint32_t(size);
+        p += 1 + 4 * n;
+        if (progress_ && (row_ & 0xffff) == 0) progress_->at(float(double(p - bytes_.begin()) / double(bytes_.size())));
     }
+    c.indices->start.cut(c.indices->start.size() + rows);
+    p_ = p;
     return true;
 }
 

@@ -143,11 +143,11 @@ public:
         if (size_ == array_.size()) array_.resize(size_ + size_ / 2 + 64);
         array_[size_++] = v;
     }
-    void append(const T* from, size_t n)
+    /// Where to put up to `n` more; then say with cut() how many there are now.
+    T* room(size_t n)
     {
         if (array_.size() - size_ < n) array_.resize(size_ + size_ / 2 + n + 64);
-        for (size_t i = 0; i < n; ++i) array_[size_ + i] = from[i];
-        size_ += n;
+        return array_.data() + size_;
     }
     void fill(size_t to, const T& v)
     {

@@ -49,6 +49,8 @@ std::vector<Finding> findings(const Mesh& mesh, const TopologyReport& r)
     const auto add = [&](size_t n, const char* element, const char* code, std::string text, std::vector<uint32_t> elements, const char* remedy) {
         if (n > 0) out.push_back({{code, std::move(text), std::move(elements)}, n, element, remedy});
     };
+    add(mesh.faceCount() == 0, "mesh", "no-faces", "there are no faces, only " + counted(mesh.vertexCount(), "point"), {},
+        "operations on surfaces have nothing to work on");
     const std::vector<uint32_t> twins = coincident(mesh);
     add(r.nonmanifoldEdges.size(), "edge", "nonmanifold-edges", counted(r.nonmanifoldEdges.size(), "edge has", "edges have") + " more than two faces",
         some(r.nonmanifoldEdges), "operations treat each further face as if its edge were cut open there");
@@ -62,7 +64,7 @@ std::vector<Finding> findings(const Mesh& mesh, const TopologyReport& r)
         "flip the faces on one side in the program that made the file");
     add(r.degenerateFaces.size(), "face", "degenerate-faces",
         counted(r.degenerateFaces.size(), "face has", "faces have") + " fewer than three corners or a vertex twice", some(r.degenerateFaces),
-        "they have no area and are left out of edges, components and loops");
+        "they are left out of edges, components and loops; --op weld:drop-degenerate=true removes them");
     add(r.duplicateFaces.size(), "face", "duplicate-faces",
         counted(r.duplicateFaces.size(), "face has", "faces have") + " the same vertices as an earlier one", some(r.duplicateFaces),
         "one of each is enough: they flicker when drawn");
@@ -70,7 +72,7 @@ std::vector<Finding> findings(const Mesh& mesh, const TopologyReport& r)
         some(twins), "--op weld joins them");
     add(mesh.faceCount() == 0 ? 0 : r.isolatedVertices.size(), "vertex", "isolated-vertices",
         counted(r.isolatedVertices.size(), "vertex belongs", "vertices belong") + " to no face", some(r.isolatedVertices),
-        "harmless; they add to the file's size and to its bounding box");
+        "harmless, but counted in size and bounds; --op weld:drop-unreferenced=true removes them");
     return out;
 }
 

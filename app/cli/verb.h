@@ -17,7 +17,7 @@ struct Verb {
 };
 
 // One a file of the same name.
-extern const Verb infoVerb, algorithmsVerb, processVerb, stepVerb, convertVerb, renderVerb, galleryVerb;
+extern const Verb infoVerb, algorithmsVerb, processVerb, stepVerb, convertVerb, renderVerb, galleryVerb, lessonsVerb;
 
 /// All verbs, in the order of the overview.
 std::span<const Verb> verbs();

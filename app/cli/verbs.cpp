@@ -13,12 +13,11 @@ namespace mw::cli {
 std::span<const Verb> verbs()
 {
     static const std::vector<Verb> table{
-#ifdef MESHWRIGHT_HAS_FILES
-        infoVerb,   algorithmsVerb, processVerb, stepVerb, convertVerb,
-#endif
+        infoVerb,    algorithmsVerb, processVerb, stepVerb, convertVerb,
 #ifdef MESHWRIGHT_HAS_RENDER
-        renderVerb, galleryVerb,
+        renderVerb,  galleryVerb,
 #endif
+        lessonsVerb,
     };
     return table;
 }

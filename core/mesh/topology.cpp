@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/math/hash.h"
-#include "core/math/union_find.h"
+#include "core/mesh/union_find.h"
 #include "core/mesh/connectivity.h"
 
 namespace mw {

@@ -31,18 +31,18 @@ class Convert(Case):
         self.same(first, self.folder / "b.obj")
 
     def test_ascii_ply(self):
-        self.ok("convert", self.source("s.glb", "icosphere:level=1"), self.folder / "s.ply", "--ascii")
+        self.ok("convert", self.source("s.glb", "icosphere:subdivisions=1"), self.folder / "s.ply", "--ascii")
         self.assertIn("format ascii 1.0", (self.folder / "s.ply").read_text())
         self.same(self.folder / "s.glb", self.folder / "s.ply")
 
     def test_onto_itself(self):
-        sphere = self.source("s.ply", "icosphere:level=2")
+        sphere = self.source("s.ply", "icosphere:subdivisions=2")
         before = self.mesh(sphere)
         self.ok("convert", sphere, sphere)
         self.assertEqual(before, self.mesh(sphere))
 
     def test_an_interrupted_write_leaves_the_old_file(self):
-        sphere = self.source("s.ply", "icosphere:level=1")
+        sphere = self.source("s.ply", "icosphere:subdivisions=1")
         before = sphere.read_bytes()
         self.fails("process", sphere, "--op", "decimate-quadric:ratio=9", "-o", sphere)
         self.assertEqual(sphere.read_bytes(), before)

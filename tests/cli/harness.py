@@ -97,7 +97,7 @@ def rows(heading):
     """The rows of the table under a heading of the data's README, as dictionaries."""
     text = (DATA / "README.md").read_text(encoding="utf-8")
     part = re.split(r"^## ", text.split(f"## {heading}\n")[1], flags=re.M)[0]
-    lines = [[cell.strip() for cell in line.strip()[1:-1].split(" | ")] if " | " in line else None for line in part.splitlines()]
+    lines = [[cell.strip() for cell in line.strip()[1:-1].split("|")] if line.startswith("|") else None for line in part.splitlines()]
     lines = [line for line in lines if line]
     return [dict(zip(lines[0], line)) for line in lines[1:] if not set(line[0]) <= set("-|: ")]
 

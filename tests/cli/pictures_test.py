@@ -34,16 +34,16 @@ class Pictures(Case):
         return out.read_bytes()
 
     def test_styles(self):
-        sphere = self.source("s.glb", "icosphere:level=2")
+        sphere = self.source("s.glb", "icosphere:subdivisions=2")
         seen = {style: self.picture(sphere, "--style", style) for style in ("shaded", "flat", "wire", "heat:vertex-valence")}
         self.assertEqual(len(set(seen.values())), len(seen), "two styles look the same")
 
     def test_the_same_twice(self):
-        sphere = self.source("s.glb", "icosphere:level=2")
+        sphere = self.source("s.glb", "icosphere:subdivisions=2")
         self.assertEqual(self.picture(sphere), self.picture(sphere))
 
     def test_refusals(self):
-        sphere = self.source("s.glb", "icosphere:level=1")
+        sphere = self.source("s.glb", "icosphere:subdivisions=1")
         self.fails("render", sphere, code=2)
         self.fails("render", sphere, "-o", self.folder / "x.png", "--size", "0x0", code=2)
         self.fails("render", sphere, "-o", self.folder / "x.png", "--size", "99999999x99999999", code=2)

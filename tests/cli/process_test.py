@@ -9,21 +9,21 @@ from harness import DATA, Case, main, needs_data
 class Process(Case):
     def test_sphere_to_every_format(self):
         for name in ("s.glb", "s.gltf", "s.obj", "s.ply"):
-            m = self.mesh(self.source(name, "icosphere:level=3"))
+            m = self.mesh(self.source(name, "icosphere:subdivisions=3"))
             self.assertEqual((m["vertices"], m["edges"], m["faces"], m["genus"], m["closed"]), (642, 1920, 1280, 0, True), name)
             self.assertLess(abs(m["volume"] - 4 / 3 * math.pi), 0.05)
 
     def test_operations_in_turn(self):
-        m = self.mesh(self.source("s.ply", "icosphere:level=2", "subdivide-loop:levels=2", "decimate-quadric:ratio=0.25"))
+        m = self.mesh(self.source("s.ply", "icosphere:subdivisions=2", "subdivide-loop:levels=2", "decimate-quadric:ratio=0.25"))
         self.assertEqual((m["faces"], m["genus"]), (320 * 16 // 4, 0))
 
     def test_says_what_changed(self):
-        sphere = self.source("s.ply", "icosphere:level=2")
+        sphere = self.source("s.ply", "icosphere:subdivisions=2")
         out = self.ok("process", sphere, "--op", "subdivide-loop:levels=1", "-o", self.folder / "t.ply").out
         self.assertIn("162 vertices, 320 faces -> 642 vertices, 1280 faces", out)
 
     def test_tables(self):
-        sphere = self.source("s.obj", "icosphere:level=2")
+        sphere = self.source("s.obj", "icosphere:subdivisions=2")
         table = self.folder / "v.csv"
         self.ok("process", sphere, "--op", "vertex-valence", "-o", table)
         lines = list(csv.reader(table.open()))
@@ -38,7 +38,7 @@ class Process(Case):
         self.assertTrue(result["results"][0]["summary"] or result["results"][0]["lists"])
 
     def test_refusals(self):
-        sphere = self.source("s.obj", "icosphere:level=1")
+        sphere = self.source("s.obj", "icosphere:subdivisions=1")
         out = self.folder / "out.glb"
 
         def refused(*words, says):
@@ -56,7 +56,7 @@ class Process(Case):
         refused(sphere, "--op", "subdivide-loop:levels=99999999999999999999999", says="levels=")
         refused(sphere, "--op", "icosphere", says="from nothing")
         refused("-", "--op", "weld", says="source")
-        refused("-", "--op", "icosphere:level=99", says="level=99")
+        refused("-", "--op", "icosphere:subdivisions=99", says="subdivisions=99")
         refused("-", "--op", "icosphere", "--op", "vertex-valence", says=".csv")
         refused("-", "--op", "icosphere", "--op", "vertex-valence", "--op", "weld", says="must be the last")
         self.fails("process", sphere, "-o", self.folder / "a.csv", says="a.csv: ")

@@ -83,7 +83,7 @@ class Usage(Case):
         self.assertTrue(self.ok("lessons").out)
 
     def test_a_reader_that_stops_early_ends_the_program(self):
-        process = subprocess.Popen([PROGRAM, "step", "-", "--op", "icosphere:level=7"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        process = subprocess.Popen([PROGRAM, "step", "-", "--op", "icosphere:subdivisions=7"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         process.stdout.readline()
         process.stdout.close()
         process.wait(timeout=30)

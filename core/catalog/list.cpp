@@ -5,6 +5,7 @@
 #include "core/metrics/valence.h"
 #include "core/repair/smooth.h"
 #include "core/repair/weld.h"
+#include "core/simplify/decimate_quadric.h"
 
 namespace mw {
 
@@ -18,6 +19,15 @@ std::span<const Operation> catalog()
                                 .category = "Primitives",
                                 .source = "core/mesh/primitives.cpp"},
                                icosphere),
+        entry<Mesh, DecimateQuadric, Mesh>({.id = "decimate-quadric",
+                                            .title = "Simplify by quadrics",
+                                            .section = "3.1",
+                                            .summary = "Collapses the edges that matter least, each to the point nearest to the planes around it.",
+                                            .category = "Simplify",
+                                            .steps = true,
+                                            .attributes = {Carried::Surface, Carried::Surface, Carried::Gathered},
+                                            .source = "core/simplify/decimate_quadric.cpp"},
+                                           decimateQuadric),
         entry<Mesh, Weld, Mesh>({.id = "weld",
                                  .title = "Weld vertices",
                                  .summary = "Vertices at the same place, or near it, become one.",

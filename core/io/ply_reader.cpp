@@ -472,11 +472,17 @@ Attribute asFloats(const Attribute& a)
     return f;
 }
 
+/// `base`, or a further set of it: base1, base2, ...
+bool isSetOf(std::string_view name, std::string_view base)
+{
+    return name.starts_with(base) && std::all_of(name.begin() + long(base.size()), name.end(), isDigit);
+}
+
 /// Whoever meets a well-known name relies on its form: what a file has under such a name in another form is renamed.
 Attribute inKnownForm(Attribute a)
 {
     const auto among = [&](std::initializer_list<int> n) { return std::find(n.begin(), n.end(), a.components) != n.end(); };
-    const bool texcoord = a.name.starts_with(names::texcoord), color = a.name.starts_with(names::color);
+    const bool texcoord = isSetOf(a.name, names::texcoord), color = isSetOf(a.name, names::color);
     bool fits = true;
     if (a.name == names::material || a.name == names::group) {
         const std::span<const int32_t> values = a.integers();

@@ -203,8 +203,20 @@ Refusal CollapseMesh::linkRefusal(uint32_t h, Verdict& v)
     return Refusal::None;
 }
 
+// Whether faces i and j of the star, neighbours across the side to `rim`, lay on each other; where a face between them goes, whether one of them lay
+// on that.
+bool CollapseMesh::foldedBefore(uint32_t h, size_t i, size_t j, uint32_t rim) const
+{
+    for (const uint32_t side : {h, twin_[h]}) {
+        if (side == none || from(prev(side)) != rim) continue;
+        const glm::dvec3 gone = areaNormal(side / 3);
+        return glm::dot(before_[i], gone) <= 0 || glm::dot(before_[j], gone) <= 0;
+    }
+    return glm::dot(before_[i], before_[j]) <= 0;
+}
+
 // No face may turn far, and no two neighbours may come to lie on each other that did not before: inside the star and across its rim.
-Refusal CollapseMesh::shapeRefusal(const glm::dvec3& p, Verdict& v) const
+Refusal CollapseMesh::shapeRefusal(uint32_t h, const glm::dvec3& p, Verdict& v) const
 {
     thread_local std::vector<glm::dvec3> after;
     after.clear();
@@ -222,7 +234,7 @@ Refusal CollapseMesh::shapeRefusal(const glm::dvec3& p, Verdict& v) const
     for (size_t i = 0; i < star_.size(); ++i) {
         const uint32_t last = from(prev(star_[i])), outer = twin_[next(star_[i])];
         for (size_t j = 0; j < star_.size(); ++j)
-            if (last == to(star_[j]) && glm::dot(after[i], after[j]) <= 0 && glm::dot(before_[i], before_[j]) > 0) return Refusal::Fold;
+            if (last == to(star_[j]) && glm::dot(after[i], after[j]) <= 0 && !foldedBefore(h, i, j, last)) return Refusal::Fold;
         if (outer == none) continue;
         const glm::dvec3 n = areaNormal(outer / 3);
         if (glm::dot(n, after[i]) <= 0 && glm::dot(n, before_[i]) > 0) return Refusal::Fold;
@@ -255,7 +267,7 @@ Verdict CollapseMesh::test(uint32_t h, const glm::dvec3& p)
             if (size > 0) v.deviation = std::max(v.deviation, glm::length(glm::cross(line, p - place_[from(side)])) / size);
         }
     }
-    v.refusal = shapeRefusal(p, v);
+    v.refusal = shapeRefusal(h, p, v);
     return v;
 }
 

@@ -90,7 +90,8 @@ private:
     void classify();
     bool differ(const Attribute& a, uint32_t cornerA, uint32_t cornerB) const;
     Refusal linkRefusal(uint32_t h, Verdict& v);
-    Refusal shapeRefusal(const glm::dvec3& p, Verdict& v) const;
+    Refusal shapeRefusal(uint32_t h, const glm::dvec3& p, Verdict& v) const;
+    bool foldedBefore(uint32_t h, size_t i, size_t j, uint32_t rim) const;
     void closeFace(uint32_t h);
     void unite(std::vector<uint32_t>& parent, uint32_t a, uint32_t b);
     uint32_t oldCorner(uint32_t c) const { return corners_.empty() ? c : corners_[c]; }

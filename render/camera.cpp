@@ -143,8 +143,8 @@ void Camera::fitClip(const Bounds& scene)
         }
     }
     const double pad = 0.02 * (high - low) + 1e-3 * distance;
-    farClip = std::max(high + pad, 4 * distance);  // room for the ground behind the model
-    nearClip = low - pad;
+    farClip = std::max(high + pad, 4 * distance);  // room for the ground behind the model and before it
+    nearClip = std::min(low - pad, perspective ? 0.08 * distance : -distance);
     if (perspective) nearClip = std::clamp(nearClip, 2e-4 * farClip, 0.5 * farClip);  // what a depth buffer can still tell apart
 }
 

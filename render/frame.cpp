@@ -56,6 +56,7 @@ void frameTightly(Frame& frame, double aspect)
     CameraFit fit(frame.camera, aspect);
     for (const DrawObject& o : frame.objects)
         for (const glm::vec3& p : o.mesh.positions()) fit.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(p), 1)));
+    for (const Label& l : frame.labels) fit.add(glm::dvec3(l.atWorld));
     fit.apply(frame.camera);
     frame.camera.fitClip(boundsOf(frame));
 }

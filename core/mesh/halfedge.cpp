@@ -3,6 +3,7 @@
 #include "core/mesh/halfedge.h"
 
 #include <OpenMesh/Core/Mesh/Handles.hh>
+#include <algorithm>
 #include <memory>
 
 #include "core/error.h"
@@ -95,7 +96,8 @@ void Builder::chooseFaces(const Mesh& mesh)
 /// lower degree as home, which bounds the search for any input; the numbers come out the same.
 void Builder::numberSides()
 {
-    view_.cornerHalfedge.assign(corners_, none);
+    view_.cornerHalfedge.resize(corners_);
+    if (view_.degenerateFaces > 0) std::fill(view_.cornerHalfedge.begin(), view_.cornerHalfedge.end(), none);
     if (pairSides(64 + 8 * int64_t(corners_), [](uint32_t a, uint32_t b) { return a < b; })) return;
     std::vector<uint32_t> degree(vertices_, 0);
     forFaces([&](uint32_t, uint32_t c, uint32_t last) {

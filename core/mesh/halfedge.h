@@ -17,9 +17,9 @@ public:
 
     OpenMesh::PolyConnectivity kernel;
     size_t payloadVertices = 0;
-    std::vector<uint32_t> extraVertex;     ///< view vertex payloadVertices + i is another fan of payload vertex extraVertex[i]
-    std::vector<uint32_t> payloadFace;     ///< empty: view face f is payload face f
-    std::vector<uint32_t> cornerHalfedge;  ///< payload corner to the half-edge leaving it towards the next corner; none where left out
+    std::vector<uint32_t> extraVertex;  ///< view vertex payloadVertices + i is another fan of payload vertex extraVertex[i]
+    std::vector<uint32_t> payloadFace;  ///< empty: view face f is payload face f
+    Array<uint32_t> cornerHalfedge;     ///< payload corner to the half-edge leaving it towards the next corner; none where left out
     size_t degenerateFaces = 0, boundaryEdges = 0, splitVertices = 0;
 
     uint32_t vertexOf(uint32_t v) const { return v < payloadVertices ? v : extraVertex[v - payloadVertices]; }

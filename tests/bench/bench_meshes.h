@@ -1,40 +1,21 @@
-// Large meshes for benchmarks, made or read once.
+// Large meshes for benchmarks, made or read once, and how time is taken.
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <numbers>
-#include <random>
 #include <time.h>
 
 #include "core/io/io.h"
 #include "core/mesh/mesh.h"
 
+#include "bench/scan_mesh.h"
+
 namespace mw::bench {
 
-/// About a million triangles of a knobbly torus with noise of 0.06 % of its diagonal, as a scanner would give; vertices row by row.
+/// The mesh of scan_mesh.h, made once.
 inline const Mesh& scanLike()
 {
-    static const Mesh mesh = [] {
-        const uint32_t rows = 400, columns = 1250;
-        std::mt19937 random(1);
-        Array<glm::vec3> positions;
-        for (uint32_t y = 0; y < rows; ++y)
-            for (uint32_t x = 0; x < columns; ++x) {
-                const double u = 2 * std::numbers::pi * x / columns, v = 2 * std::numbers::pi * y / rows;
-                const double r = 1 + 0.15 * std::sin(5 * u) * std::cos(3 * v) + 0.005 * (double(random() % 2001) / 1000 - 1);
-                positions.emplace_back((3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u), r * std::sin(v));
-            }
-        Array<uint32_t> corners;
-        for (uint32_t y = 0; y < rows; ++y)
-            for (uint32_t x = 0; x < columns; ++x) {
-                const uint32_t a = y * columns + x, b = y * columns + (x + 1) % columns, up = (y + 1) % rows * columns;
-                const uint32_t c = up + (x + 1) % columns, d = up + x;
-                corners.insert(corners.end(), {a, b, c, a, c, d});
-            }
-        return Mesh::triangles(positions, corners);
-    }();
+    static const Mesh mesh = scanMesh();
     return mesh;
 }
 

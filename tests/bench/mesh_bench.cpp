@@ -3,6 +3,7 @@
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 #include <algorithm>
 #include <benchmark/benchmark.h>
+#include <cmath>
 
 #include "core/mesh/connectivity.h"
 #include "core/mesh/halfedge.h"

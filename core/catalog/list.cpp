@@ -6,6 +6,7 @@
 #include "core/repair/smooth.h"
 #include "core/repair/weld.h"
 #include "core/simplify/decimate_quadric.h"
+#include "core/subdivide/subdivide_loop.h"
 
 namespace mw {
 
@@ -28,6 +29,15 @@ std::span<const Operation> catalog()
                                             .attributes = {Carried::Surface, Carried::Surface, Carried::Gathered},
                                             .source = "core/simplify/decimate_quadric.cpp"},
                                            decimateQuadric),
+        entry<Mesh, SubdivideLoop, Mesh>({.id = "subdivide-loop",
+                                          .title = "Loop subdivision",
+                                          .section = "3.2",
+                                          .summary = "Every triangle becomes four, and the surface smooth.",
+                                          .category = "Subdivide",
+                                          .steps = true,
+                                          .attributes = {Carried::Stencil, Carried::Surface, Carried::Gathered},
+                                          .source = "core/subdivide/subdivide_loop.cpp"},
+                                         subdivideLoop),
         entry<Mesh, Weld, Mesh>({.id = "weld",
                                  .title = "Weld vertices",
                                  .summary = "Vertices at the same place, or near it, become one.",

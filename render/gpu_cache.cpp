@@ -6,7 +6,8 @@
 namespace mw {
 namespace {
 
-constexpr uint64_t unownedFrames = 8;  // what belongs to nobody (marks) goes when it was not drawn for so long
+constexpr uint64_t unownedFrames = 8;            // what belongs to nobody (marks) goes when it was not drawn for so long
+constexpr GLenum makingUnit = GL_TEXTURE0 + 15;  // textures are made here, so that none a pass has bound is pushed out
 
 }  // namespace
 
@@ -71,6 +72,7 @@ GLuint GpuCache::bufferTexture(const GpuKey& key, GLenum format)
     Entry* e = find(key);
     if (!e) return 0;
     if (!e->texture) {
+        glActiveTexture(makingUnit);
         glBindTexture(GL_TEXTURE_BUFFER, e->texture.id());
         glTexBuffer(GL_TEXTURE_BUFFER, format, e->buffer.get());
     }
@@ -81,6 +83,7 @@ GLuint GpuCache::picture(const GpuKey& key, const Owners& owners, const std::fun
 {
     if (Entry* e = find(key)) return e->texture.get();
     Entry& e = add(key, owners, 0);
+    glActiveTexture(makingUnit);
     glBindTexture(GL_TEXTURE_2D, e.texture.id());
     e.bytes = make();
     bytes_ += e.bytes;

@@ -62,6 +62,7 @@ struct Context {
         context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
         return context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
     }
+    void makeCurrent() const { eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context); }
     void close()
     {
         if (display == EGL_NO_DISPLAY) return;
@@ -124,7 +125,7 @@ struct Offscreen::Impl {
 
     ~Impl()
     {
-        if (context.context != EGL_NO_CONTEXT) eglMakeCurrent(context.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context);
+        if (context.context != EGL_NO_CONTEXT) context.makeCurrent();
     }
 };
 
@@ -149,6 +150,7 @@ Offscreen::~Offscreen() = default;
 
 Renderer& Offscreen::renderer()
 {
+    impl_->context.makeCurrent();  // there may be several
     return *impl_->renderer;
 }
 
@@ -159,6 +161,7 @@ const std::vector<std::string>& Offscreen::messages() const
 
 Picture Offscreen::draw(const Frame& frame, int width, int height)
 {
+    impl_->context.makeCurrent();
     GLint most = 0, mostSamples = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
     glGetIntegerv(GL_MAX_SAMPLES, &mostSamples);

@@ -68,7 +68,8 @@ void drawGrid(DrawContext& c)
     const GridLook look{middle, 2.6 * c.camera.distance};
     const ThemeColors& theme = themeColors(options.theme);
     const bool fromBelow = c.camera.eye().y < 0;
-    const float strength = fromBelow ? 0.25f : 1.f;
+    // Seen from below or edge on it steps back.
+    const float strength = (fromBelow ? 0.25f : 1.f) * float(glm::smoothstep(0.0, 0.2, std::abs(std::sin(c.camera.elevation))));
 
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);

@@ -1,6 +1,7 @@
 """Broken files: a message that names file, place and remedy, or a usable mesh and warnings; never a crash, 5 s, or much memory."""
 import json
 import os
+import random
 
 from harness import DATA, SANITIZED, Case, Ran, main, needs_data, rows
 
@@ -67,6 +68,30 @@ class Bombs(Case):
 
     def test_deep_json(self):
         self.refused("deep.gltf", '{"asset":{"version":"2.0"},"extras":' + "[" * 200000 + "]" * 200000 + "}")
+
+
+class Damaged(Case):
+    """Sound files of every format, cut off or with a few bytes changed: always an answer, never a crash."""
+
+    def test_damage(self):
+        chance = random.Random(7)
+        for name in ("s.obj", "a.ply", "b.ply", "s.glb", "s.gltf"):
+            sound = self.folder / name
+            self.ok("process", "-", "--op", "icosphere:subdivisions=1", "-o", sound, *(["--ascii"] if name == "a.ply" else []))
+            whole = sound.read_bytes()
+            for i in range(24):
+                damaged = bytearray(whole[:chance.randrange(len(whole))] if i % 3 == 0 else whole)
+                for _ in range(0 if i % 3 == 0 else 1 + i % 5):
+                    # Near the beginning, where the counts are, as often as anywhere.
+                    at = chance.randrange(min(400, len(damaged)) if i % 2 else len(damaged))
+                    damaged[at] = chance.choice((0, 255, 45, 57, chance.randrange(256)))
+                sound.write_bytes(damaged)
+                ran = Ran(["info", sound, "--json"], limit=20)
+                with self.subTest(name, case=i):
+                    self.assertIn(ran.code, (0, 1), ran)
+                    self.assertLess(ran.seconds, 10, ran)
+                    if ran.code == 1:
+                        self.assertTrue(ran.err.startswith(f"meshwright: {sound}"), ran)
 
 
 if __name__ == "__main__":

@@ -130,11 +130,11 @@ size_t StepHistory::previousOf(const std::string& phase, size_t position) const
     return found;
 }
 
-size_t StepHistory::nextAtLine(unsigned line, size_t position) const
+size_t StepHistory::nextAtLines(unsigned firstLine, unsigned lastLine, size_t position) const
 {
     size_t found = npos;
     for (const Site& s : sites_) {
-        if (s.line != line) continue;
+        if (s.line < firstLine || s.line > lastLine) continue;
         auto i = std::upper_bound(s.steps.begin(), s.steps.end(), position);
         if (i != s.steps.end()) found = std::min(found, size_t(*i));
     }

@@ -36,7 +36,7 @@ public:
     /// The nearest step after or before `position`; npos when none was seen.
     size_t nextOf(const std::string& phase, size_t position) const;
     size_t previousOf(const std::string& phase, size_t position) const;
-    size_t nextAtLine(unsigned line, size_t position) const;
+    size_t nextAtLines(unsigned firstLine, unsigned lastLine, size_t position) const;
     std::vector<unsigned> lines() const;  ///< that yielded so far
     const std::vector<uint32_t>& rejected() const { return rejected_; }
 

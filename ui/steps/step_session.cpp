@@ -35,7 +35,6 @@ struct Command {
 struct Engine {
     StartRun start;
     std::unique_ptr<Stepper> stepper;
-    std::optional<Value> atStart;
 };
 
 /// One command on its way. What follows `done` is written by the worker before, read by others after.
@@ -107,8 +106,7 @@ void execute(Task& task)
         task.record = e.stepper->step();
         task.position = e.stepper->position();
         task.length = e.stepper->length();
-        // Before its first step an algorithm shows nothing: the input stands for it.
-        task.value = task.position == 0 && e.atStart ? *e.atStart : mw::valueOf(e.stepper->value());
+        task.value = mw::valueOf(e.stepper->value());
         warm(task.value);
     } catch (const Cancelled&) {
         task.cancelled = true;
@@ -154,6 +152,7 @@ struct StepSession::Impl {
     std::optional<Command> pending;
     Unit unit = Unit::Step;
     QString unitPhase;
+    QStringList plotted;
     double speed = 4;
     size_t batchSteps = 16;  // of playing as fast as it goes; follows the time they take
     std::shared_ptr<const MeshObject> openedOn;
@@ -169,9 +168,10 @@ struct StepSession::Impl {
     void finish(const std::shared_ptr<Task>& task);
     void take(Task& task);
     size_t goal() const;
-    std::optional<size_t> knownNext(size_t from) const;
-    Wanted onwards(size_t from, size_t least) const;
-    void advance(size_t steps, bool batch);
+    std::optional<size_t> knownNext(size_t from, Unit by) const;
+    Wanted onwards(size_t from, size_t least, Unit by) const;
+    void advance(size_t steps, bool batch, Unit by);
+    void retreat(Unit by);
     QString name() const { return QString::fromStdString(self.op_->title); }
 };
 
@@ -264,13 +264,12 @@ size_t StepSession::Impl::goal() const
 }
 
 // The next place to stop at after `from`, if it was passed before.
-std::optional<size_t> StepSession::Impl::knownNext(size_t from) const
+std::optional<size_t> StepSession::Impl::knownNext(size_t from, Unit by) const
 {
     if (length > 0 && from + 1 >= length) return length - 1;
-    size_t found = StepHistory::npos;
-    if (unit == Unit::Step) return from + 1;
-    if (unit == Unit::Named) found = history.nextOf(unitPhase.toStdString(), from);
-    for (size_t p = from + 1; unit == Unit::Phase && p < history.end(); ++p)
+    if (by == Unit::Step) return from + 1;
+    size_t found = by == Unit::Named ? history.nextOf(unitPhase.toStdString(), from) : StepHistory::npos;
+    for (size_t p = from + 1; by == Unit::Phase && p < history.end(); ++p)
         if (history.phaseAt(p) != history.phaseAt(from)) {
             found = p;
             break;
@@ -281,18 +280,30 @@ std::optional<size_t> StepSession::Impl::knownNext(size_t from) const
 }
 
 // The same for steps that were not passed yet. It runs on the worker, so it holds copies.
-Wanted StepSession::Impl::onwards(size_t from, size_t least) const
+Wanted StepSession::Impl::onwards(size_t from, size_t least, Unit by) const
 {
-    if (unit == Unit::Named) return [least, phase = unitPhase.toStdString()](const StepRecord& r) { return r.index >= least && r.phase == phase; };
+    if (by == Unit::Named) return [least, phase = unitPhase.toStdString()](const StepRecord& r) { return r.index >= least && r.phase == phase; };
     return [least, before = history.phaseAt(from)](const StepRecord& r) { return r.index >= least && r.phase != before; };
 }
 
-void StepSession::Impl::advance(size_t steps, bool batch)
+void StepSession::Impl::advance(size_t steps, bool batch, Unit by)
 {
+    if (current && current->command.wanted) return;  // still looking for the stop before
     const size_t from = goal();
     const QString title = self.tr("%1: next step").arg(name());
-    if (std::optional<size_t> next = knownNext(from + steps - 1)) return submit({*next, {}, {}, true, batch, title});
-    submit({0, onwards(from, from + steps), {}, true, batch, title});
+    if (std::optional<size_t> next = knownNext(from + steps - 1, by)) return submit({*next, {}, {}, true, batch, title});
+    submit({0, onwards(from, from + steps, by), {}, true, batch, title});
+}
+
+void StepSession::Impl::retreat(Unit by)
+{
+    const size_t from = goal();
+    if (from == 0 || (current && current->command.wanted)) return;
+    size_t to = from - 1;
+    if (by == Unit::Named) to = history.previousOf(unitPhase.toStdString(), from);
+    // To the start of this phase, or of the one before when it stands there already.
+    while (by == Unit::Phase && to > 0 && history.phaseAt(to - 1) == history.phaseAt(to)) --to;
+    submit({to == StepHistory::npos ? 0 : to, {}, {}, true, false, self.tr("%1: step back").arg(name())});
 }
 
 StepSession::StepSession(Document& document, Jobs& jobs, QObject* parent)
@@ -316,14 +327,13 @@ void StepSession::open(const Operation& op, NodeId node, const Value& input, Par
     op_ = &op;
     node_ = node;
     values_ = std::move(values);
-    if (other) impl_->unit = Unit::Step, impl_->unitPhase.clear();
+    if (other) impl_->unit = Unit::Step, impl_->unitPhase.clear(), impl_->plotted.clear();
     impl_->input = input;
     impl_->engine = std::make_shared<Engine>();
     impl_->history = StepHistory();
     impl_->history.add({});
     impl_->record = {};
     impl_->value = op.accepts == op.yields ? input : Value{};
-    if (op.accepts == op.yields) impl_->engine->atStart = input;
     impl_->position = impl_->length = 0;
     impl_->error.clear();
     impl_->edited = false;
@@ -415,6 +425,17 @@ const StepHistory& StepSession::history() const
     return impl_->history;
 }
 
+const QStringList& StepSession::plotted() const
+{
+    return impl_->plotted;
+}
+
+void StepSession::setPlotted(const QStringList& numbers)
+{
+    impl_->plotted = numbers.mid(0, 6);
+    emit changed();
+}
+
 void StepSession::setUnit(Unit u, const QString& phase)
 {
     impl_->unit = u;
@@ -496,29 +517,41 @@ void StepSession::tick()
 {
     if (impl_->current) return;
     if (atEnd()) return pause();
-    impl_->advance(impl_->speed > 0 ? 1 : impl_->batchSteps, impl_->speed <= 0);
+    impl_->advance(impl_->speed > 0 ? 1 : impl_->batchSteps, impl_->speed <= 0, impl_->unit);
 }
 
 void StepSession::forward()
 {
     if (!op_) return;
     pause();
-    impl_->advance(1, false);
+    impl_->advance(1, false, impl_->unit);
 }
 
 void StepSession::back()
 {
     if (!op_) return;
     pause();
+    impl_->retreat(impl_->unit);
+}
+
+void StepSession::nextPhase()
+{
+    if (!op_) return;
+    pause();
+    impl_->advance(1, false, Unit::Phase);
+}
+
+void StepSession::lastPhase()
+{
+    if (!op_) return;
+    pause();
+    impl_->retreat(Unit::Phase);
+}
+
+void StepSession::skip(int steps)
+{
     const size_t from = impl_->goal();
-    if (from == 0) return;
-    size_t to = from - 1;
-    const StepHistory& h = impl_->history;
-    if (impl_->unit == Unit::Named) to = h.previousOf(impl_->unitPhase.toStdString(), from);
-    // To the start of this phase, or of the one before when it stands there already.
-    if (impl_->unit == Unit::Phase)
-        while (to > 0 && h.phaseAt(to - 1) == h.phaseAt(to)) --to;
-    impl_->submit({to == StepHistory::npos ? 0 : to, {}, {}, true, false, tr("%1: step back").arg(impl_->name())});
+    scrub(steps < 0 && from < size_t(-steps) ? 0 : from + size_t(steps));
 }
 
 void StepSession::first()
@@ -560,14 +593,15 @@ void StepSession::toPhase(const QString& phase)
     impl_->submit({0, [name](const StepRecord& r) { return r.phase == name; }, phase, false, false, title});
 }
 
-void StepSession::toLine(unsigned line)
+void StepSession::toLines(unsigned firstLine, unsigned lastLine)
 {
     if (!op_) return;
     pause();
-    const QString title = tr("%1: run to line %2").arg(impl_->name()).arg(line);
-    const size_t known = impl_->history.nextAtLine(line, impl_->position);
+    const QString title = tr("%1: run to line %2").arg(impl_->name()).arg(firstLine);
+    const size_t known = impl_->history.nextAtLines(firstLine, lastLine, impl_->position);
     if (known != StepHistory::npos) return impl_->submit({known, {}, {}, false, false, title});
-    impl_->submit({0, [line](const StepRecord& r) { return r.line == line; }, {}, false, false, title});
+    const auto wanted = [firstLine, lastLine](const StepRecord& r) { return r.line >= firstLine && r.line <= lastLine; };
+    impl_->submit({0, wanted, {}, false, false, title});
 }
 
 }  // namespace mw

@@ -1,7 +1,7 @@
 // The algorithm being stepped: one at a time, shared by transport strip, step player, source, plot and viewport.
 #pragma once
 #include <QObject>
-#include <QString>
+#include <QStringList>
 #include <QTimer>
 #include <memory>
 #include <vector>
@@ -56,6 +56,10 @@ public:
     double speed() const;
     bool playing() const { return timer_.isActive(); }
 
+    /// The numbers the plot shows, at most six; kept while the same algorithm stays open.
+    const QStringList& plotted() const;
+    void setPlotted(const QStringList& numbers);
+
     /// The document's mesh was changed since this was opened: the strip asks what to do.
     bool edited() const;
     void keepAsBase();  ///< the state shown becomes the node's mesh, without modifiers; ends stepping
@@ -68,9 +72,12 @@ public slots:
     void first();
     void last();
     void seek(size_t position);
-    void scrub(size_t position);         ///< seek() of a drag: does not break off the seek before it
-    void toPhase(const QString& phase);  ///< next step of that phase
-    void toLine(unsigned line);          ///< next step yielded there
+    void scrub(size_t position);  ///< seek() of a drag: does not break off the seek before it
+    void skip(int steps);         ///< ten at once, or so; negative: back
+    void nextPhase();
+    void lastPhase();
+    void toPhase(const QString& phase);                   ///< next step of that phase
+    void toLines(unsigned firstLine, unsigned lastLine);  ///< next step yielded in this range of lines (a statement may take several)
 
 signals:
     void opened();

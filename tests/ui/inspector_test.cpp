@@ -1,0 +1,222 @@
+// The inspector: its figures are those of the topology report, its rows select what they name.
+#include "ui/panels/inspector.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeWidget>
+
+#include "core/catalog/catalog.h"
+#include "core/mesh/topology.h"
+#include "ui/panels/inspection.h"
+#include "ui/panels/valence_histogram.h"
+#include "ui/session.h"
+
+using namespace mw;
+
+namespace {
+
+// n x n squares of two triangles each, the middle square left out; one more vertex that no face uses.
+Mesh sheetWithHole(uint32_t n)
+{
+    Array<glm::vec3> p;
+    Array<uint32_t> t;
+    for (uint32_t y = 0; y <= n; ++y)
+        for (uint32_t x = 0; x <= n; ++x) p.push_back({float(x), float(y), 0});
+    for (uint32_t y = 0; y < n; ++y)
+        for (uint32_t x = 0; x < n; ++x) {
+            if (x == n / 2 && y == n / 2) continue;
+            const uint32_t a = y * (n + 1) + x, b = a + 1, c = a + n + 1, d = c + 1;
+            for (uint32_t i : {a, b, d, a, d, c}) t.push_back(i);
+        }
+    p.push_back({-5, -5, -5});
+    return Mesh::triangles(std::move(p), std::move(t));
+}
+
+struct Desk {
+    Document document;
+    Jobs jobs;
+    ViewState view;
+    StepSession steps{document, jobs};
+    Session session{document, jobs, view, steps};
+    NodeId node;
+    std::unique_ptr<QWidget> panel;
+
+    explicit Desk(const Mesh& mesh)
+    {
+        Scene s;
+        MeshObject object;
+        object.name = "sheet";
+        object.base = mesh;
+        Node n;
+        n.name = "sheet";
+        n.local.translation = {10, 0, 0};
+        n.mesh = s.add(object);
+        node = s.add(n);
+        document.open(s, {}, "New");
+        document.select({{node}, {}, {}});
+        panel.reset(makeInspectorPanel(session, nullptr));
+        panel->resize(304, 600);
+        panel->show();
+    }
+    QTreeWidget* tree() const { return panel->findChild<QTreeWidget*>("inspect-list"); }
+    QTreeWidgetItem* row(const QString& title) const
+    {
+        const auto found = tree()->findItems(title, Qt::MatchExactly | Qt::MatchRecursive);
+        return found.isEmpty() ? nullptr : found.front();
+    }
+    QString figure(const char* name) const { return panel->findChild<QLabel*>(QString("inspect-") + name)->text(); }
+    void click(QTreeWidgetItem* item) const
+    {
+        tree()->scrollToItem(item);
+        QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualItemRect(item).center());
+    }
+};
+
+}  // namespace
+
+class InspectorTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void figuresAreThoseOfTheReport();
+    void anOffenderIsSelectedAndFramed();
+    void passedChecksSayWhatWasChecked();
+    void aCleanMeshHasNothingToFix();
+    void loopsThatTouchKeepTheirEdges();
+    void manyOffendersAreCapped();
+    void repairAddsTheModifier();
+    void aBarSelectsItsVertices();
+    void withoutAMeshItSaysSo();
+};
+
+void InspectorTest::figuresAreThoseOfTheReport()
+{
+    const Mesh mesh = sheetWithHole(8);
+    const TopologyReport r = topologyOf(mesh);
+    QCOMPARE(r.boundaryLoops.size(), size_t(2));
+    Desk d(mesh);
+    QTRY_VERIFY(d.row("Loop 1"));
+    QCOMPARE(d.figure("vertices"), QString("%1 + 1").arg(r.vertices - 1));
+    QCOMPARE(d.figure("edges"), QString::number(r.edges));
+    QCOMPARE(d.figure("faces"), QString::number(r.faces));
+    QCOMPARE(d.figure("euler"), QString::number(r.euler));
+    QCOMPARE(d.figure("components"), QString::number(r.components));
+    QCOMPARE(d.row("Holes (boundary loops)")->text(1), QString("2 loops, %1 edges").arg(r.boundaryEdges));
+    QCOMPARE(d.row("Loop 1")->text(1), QString("32 edges"));
+    QCOMPARE(d.row("Loop 2")->text(1), QString("4 edges"));
+    QCOMPARE(d.row("Isolated vertices")->text(1), QString("1 vertex"));
+}
+
+void InspectorTest::anOffenderIsSelectedAndFramed()
+{
+    Desk d(sheetWithHole(8));
+    QTRY_VERIFY(d.row("Loop 2"));
+    QSignalSpy framed(&d.view, &ViewState::boundsRequested);
+    d.click(d.row("Loop 2"));
+    const Selection& s = d.document.selection();
+    QCOMPARE(s.elementsOf, d.node);
+    QVERIFY(s.elements.kind == ElementKind::Edge);
+    const std::vector<uint32_t> hole{40, 41, 40, 49, 41, 50, 49, 50};
+    QCOMPARE(s.elements.indices, hole);
+    QVERIFY(d.view.dimOthers);
+    QCOMPARE(framed.count(), 0);
+    d.tree()->setCurrentItem(d.row("Loop 2"));
+    QTest::keyClick(d.tree(), Qt::Key_Return);
+    QCOMPARE(framed.count(), 1);
+    const auto bounds = framed[0][0].value<Bounds>();
+    QCOMPARE(bounds.min.x, 14.0);  // in the world: the node is moved by 10
+    QCOMPARE(bounds.max.x, 15.0);
+    // Selecting something else undims.
+    d.document.select({{d.node}, {}, {}});
+    QVERIFY(!d.view.dimOthers);
+}
+
+void InspectorTest::passedChecksSayWhatWasChecked()
+{
+    Desk d(sheetWithHole(4));
+    QTRY_VERIFY(d.row("Non-manifold edges"));
+    QTreeWidgetItem* row = d.row("Non-manifold edges");
+    QCOMPARE(row->childCount(), 1);
+    QCOMPARE(row->child(0)->text(0), QString("No edge has more than two faces."));
+}
+
+void InspectorTest::aCleanMeshHasNothingToFix()
+{
+    Desk d(Mesh::triangles(Array<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, Array<uint32_t>{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
+    QTRY_VERIFY(d.row("Nothing to fix"));
+    QCOMPARE(d.figure("genus"), QString("0"));
+}
+
+void InspectorTest::loopsThatTouchKeepTheirEdges()
+{
+    // Two triangles that share one vertex: their borders are one component that is no simple loop.
+    const Mesh bow = Mesh::triangles(Array<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, Array<uint32_t>{0, 1, 2, 0, 3, 4});
+    const Inspection i = inspect(bow);
+    for (const Finding& f : i.findings)
+        if (f.id == "holes") QCOMPARE(f.all.indices.size(), size_t(12));
+}
+
+void InspectorTest::manyOffendersAreCapped()
+{
+    Array<glm::vec3> p(3000, glm::vec3(0));
+    for (size_t i = 0; i < p.size(); ++i) p[i].x = float(i);
+    const Inspection i = inspect(Mesh(std::move(p), Array<uint32_t>{0, 3}, Array<uint32_t>{0, 1, 2}));
+    for (const Finding& f : i.findings)
+        if (f.id == "isolated") {
+            QCOMPARE(f.total, size_t(2997));
+            QCOMPARE(f.offenders.size(), Inspection::maxOffenders);
+            QCOMPARE(f.all.indices.size(), size_t(2997));
+        }
+}
+
+void InspectorTest::repairAddsTheModifier()
+{
+    if (!findOperation("weld")) QSKIP("no operation mends this yet");
+    const Mesh split =
+        Mesh::triangles(Array<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, Array<uint32_t>{0, 1, 2, 3, 5, 4});
+    Desk d(split);
+    QTRY_VERIFY(d.row("Vertices at the same place"));
+    QCOMPARE(d.row("Vertices at the same place")->text(1), QString("2 too many"));
+    auto* weld = d.panel->findChild<QPushButton*>("repair-coincident");
+    QVERIFY(weld);
+    QTest::mouseClick(weld, Qt::LeftButton);
+    const Scene& s = d.document.scene();
+    QCOMPARE(s.find(s.node(d.node).mesh)->stack.size(), size_t(1));
+    QCOMPARE(s.find(s.node(d.node).mesh)->stack[0].operation, std::string("weld"));
+    d.document.undo();
+    QVERIFY(d.document.scene().find(s.node(d.node).mesh)->stack.empty());
+}
+
+void InspectorTest::aBarSelectsItsVertices()
+{
+    const Mesh mesh = sheetWithHole(8);
+    Desk d(mesh);
+    QTRY_VERIFY(d.panel->findChild<ValenceHistogram*>());
+    auto* h = d.panel->findChild<ValenceHistogram*>();
+    const auto valences = topologyOf(mesh).vertexValences;
+    for (int i = 0; i < int(h->bars().size()); ++i) {
+        const auto& bar = h->bars()[size_t(i)];
+        if (bar.valence != 6) continue;
+        QCOMPARE(bar.count, valences.at(6));
+        QTest::mouseClick(h, Qt::LeftButton, {}, h->barCell(i).center());
+    }
+    QTRY_VERIFY(d.document.selection().elements.kind == ElementKind::Vertex && !d.document.selection().elements.indices.empty());
+    QCOMPARE(d.document.selection().elements.indices.size(), valences.at(6));
+}
+
+void InspectorTest::withoutAMeshItSaysSo()
+{
+    Desk d(sheetWithHole(4));
+    Scene empty;
+    d.document.open(empty, {}, "New");
+    bool said = false;
+    for (const QLabel* l : d.panel->findChildren<QLabel*>()) said |= l->isVisible() && l->text() == "Select a mesh to inspect it.";
+    QVERIFY(said);
+}
+
+QTEST_MAIN(InspectorTest)
+#include "inspector_test.moc"

@@ -1,0 +1,367 @@
+// See plot_panel.h.
+#include "ui/steps/plot_panel.h"
+
+#include <QFileDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QSaveFile>
+#include <QStackedLayout>
+#include <QToolButton>
+#include <cmath>
+#include <map>
+#include <qcustomplot.h>
+
+#include "ui/panels/look.h"
+#include "ui/steps/step_history.h"
+#include "ui/steps/step_words.h"
+
+namespace mw {
+
+namespace {
+
+constexpr int maxCurves = 6;
+constexpr int grabWidth = 8;
+
+QColor curveColor(int i)
+{
+    static const QColor onDark[] = {"#6CB2FF", "#F2B84B", "#4CC38A", "#D98CF2", "#FF7B72", "#18DEF0"};
+    static const QColor onLight[] = {"#1A5CAA", "#7D5200", "#17693A", "#8A21AE", "#B3261E", "#0B6A78"};
+    return look::dark() ? onDark[i % maxCurves] : onLight[i % maxCurves];
+}
+
+class PlotPanel : public QWidget {
+public:
+    PlotPanel(Session& session, QWidget* parent);
+
+protected:
+    bool eventFilter(QObject* o, QEvent* e) override;
+    void changeEvent(QEvent* e) override;
+
+private:
+    void makePlot();
+    void connectPlot();
+    void applyTheme();
+    void begin();
+    void refresh();
+    void choose();
+    void rebuild();
+    void append();
+    void moveCursor();
+    void fit();
+    void showMenu(const QPoint& at);
+    void addNumbersTo(QMenu& menu);
+    void saveCsv();
+    void savePicture();
+    void toggle(const QString& number);
+    double cursorX() const { return double(steps_.position()); }
+
+    StepSession& steps_;
+    QStackedLayout* pages_;
+    QLabel* sentence_ = nullptr;
+    QCustomPlot* plot_ = nullptr;
+    QCPItemStraightLine* cursor_ = nullptr;
+    QCPItemTracer* dot_ = nullptr;
+    QStringList shown_;
+    std::map<QString, size_t> taken_;  // points of each series that are in its graph
+    size_t seen_ = 0;
+    bool fitted_ = true, dragging_ = false, logarithmic_ = false;
+};
+
+PlotPanel::PlotPanel(Session& session, QWidget* parent) : QWidget(parent), steps_(session.steps)
+{
+    pages_ = new QStackedLayout(this);
+    pages_->addWidget(look::emptyState(this, &sentence_));
+    makePlot();
+    pages_->addWidget(plot_);
+    connectPlot();
+    connect(&steps_, &StepSession::opened, this, &PlotPanel::begin);
+    connect(&steps_, &StepSession::changed, this, &PlotPanel::refresh);
+    begin();
+    refresh();
+}
+
+void PlotPanel::makePlot()
+{
+    plot_ = new QCustomPlot(this);
+    plot_->setObjectName("plot");
+    plot_->setAccessibleName(tr("Plot of the numbers over the steps"));
+    plot_->setContextMenuPolicy(Qt::CustomContextMenu);
+    plot_->setInteractions(QCP::Interactions(QCP::iRangeZoom) | QCP::iRangeDrag);
+    plot_->axisRect()->setRangeZoom(Qt::Horizontal);
+    plot_->axisRect()->setRangeDrag(Qt::Horizontal);
+    plot_->axisRect()->setMinimumMargins(QMargins(8, 8, 14, 4));
+    plot_->legend->setVisible(true);
+    plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignLeft | Qt::AlignTop);
+    cursor_ = new QCPItemStraightLine(plot_);
+    dot_ = new QCPItemTracer(plot_);
+    dot_->setStyle(QCPItemTracer::tsCircle);
+    dot_->setSize(8);
+    dot_->setInterpolating(false);
+    plot_->installEventFilter(this);
+    auto* menu = new QToolButton(plot_);
+    menu->setText(QString(QChar(0x22EF)));
+    menu->setAutoRaise(true);
+    menu->setFocusPolicy(Qt::TabFocus);
+    menu->setAccessibleName(tr("Plot menu"));
+    menu->setToolTip(tr("Numbers shown, scale, saving."));
+    menu->setObjectName("plot-menu");
+    menu->setFixedSize(24, 20);
+    connect(menu, &QToolButton::clicked, this, [this, menu] { showMenu(menu->mapToGlobal(QPoint(0, menu->height()))); });
+    applyTheme();
+}
+
+void PlotPanel::connectPlot()
+{
+    connect(plot_, &QWidget::customContextMenuRequested, this, [this](const QPoint& p) { showMenu(plot_->mapToGlobal(p)); });
+    connect(plot_, &QCustomPlot::mouseWheel, this, [this] { fitted_ = false; });
+    connect(plot_, &QCustomPlot::mouseDoubleClick, this, [this] {
+        fitted_ = true;
+        fit();
+        plot_->replot(QCustomPlot::rpQueuedReplot);
+    });
+    connect(plot_, &QCustomPlot::mousePress, this, [this](QMouseEvent* e) {
+        dragging_ = e->button() == Qt::LeftButton && std::abs(plot_->xAxis->coordToPixel(cursorX()) - e->position().x()) <= grabWidth;
+        plot_->setInteraction(QCP::iRangeDrag, !dragging_);
+    });
+    connect(plot_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* e) {
+        const double x = plot_->xAxis->pixelToCoord(e->position().x());
+        const bool near = std::abs(plot_->xAxis->coordToPixel(cursorX()) - e->position().x()) <= grabWidth;
+        plot_->setCursor(dragging_ || near ? Qt::SizeHorCursor : Qt::ArrowCursor);
+        if (dragging_) steps_.scrub(size_t(std::max(0.0, std::round(x))));
+        if (!dragging_ && (e->buttons() & Qt::LeftButton)) fitted_ = false;
+    });
+    connect(plot_, &QCustomPlot::mouseRelease, this, [this](QMouseEvent* e) {
+        if (dragging_) steps_.seek(size_t(std::max(0.0, std::round(plot_->xAxis->pixelToCoord(e->position().x())))));
+        dragging_ = false;
+        plot_->setInteraction(QCP::iRangeDrag, true);
+    });
+}
+
+// The menu button stays in the corner; tooltips say what is under the mouse.
+bool PlotPanel::eventFilter(QObject* o, QEvent* e)
+{
+    if (o == plot_ && e->type() == QEvent::Resize)
+        if (auto* b = plot_->findChild<QToolButton*>("plot-menu")) b->move(plot_->width() - b->width() - 4, 2);
+    return QWidget::eventFilter(o, e);
+}
+
+void PlotPanel::changeEvent(QEvent* e)
+{
+    QWidget::changeEvent(e);
+    if (e->type() != QEvent::PaletteChange || !plot_) return;
+    applyTheme();
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotPanel::applyTheme()
+{
+    const look::Tones& t = look::tone();
+    plot_->setBackground(QBrush(t.panel));
+    plot_->axisRect()->setBackground(QBrush(t.panel));
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.88);
+    for (QCPAxis* a : {plot_->xAxis, plot_->yAxis}) {
+        a->setBasePen(QPen(t.strong));
+        a->setTickPen(QPen(t.strong));
+        a->setSubTickPen(Qt::NoPen);
+        a->setTickLabelColor(t.text2);
+        a->setTickLabelFont(small);
+        a->grid()->setPen(QPen(t.border, 1));
+        a->grid()->setSubGridVisible(false);
+        a->grid()->setZeroLinePen(QPen(t.border, 1));
+        a->setNumberPrecision(3);
+        a->setTickLengthIn(0);
+    }
+    plot_->xAxis->grid()->setVisible(false);
+    plot_->xAxis->setNumberFormat("f");
+    plot_->xAxis->setNumberPrecision(0);
+    plot_->legend->setBrush(t.panel);
+    plot_->legend->setBorderPen(Qt::NoPen);
+    plot_->legend->setTextColor(t.text);
+    plot_->legend->setFont(small);
+    cursor_->setPen(QPen(t.text, 1));
+    dot_->setPen(QPen(QColor("#101215"), 1.4));
+    dot_->setBrush(look::roleColor(Role::Current));
+    for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->setPen(QPen(curveColor(i), 1.6));
+}
+
+void PlotPanel::begin()
+{
+    seen_ = 0;
+    fitted_ = true;
+    shown_ = QStringList{"\n"};  // equal to no choice
+    taken_.clear();
+}
+
+// At first the number its lesson names, or the first that came.
+void PlotPanel::choose()
+{
+    if (!steps_.plotted().isEmpty()) return;
+    const std::vector<std::string> names = steps_.seriesNames();
+    if (names.empty()) return;
+    QString name = plottedFirst(*steps_.operation());
+    if (name.isEmpty() || std::find(names.begin(), names.end(), name.toStdString()) == names.end()) name = QString::fromStdString(names.front());
+    steps_.setPlotted({name});
+}
+
+void PlotPanel::refresh()
+{
+    if (steps_.isOpen()) choose();
+    const bool any = steps_.isOpen() && !steps_.plotted().isEmpty() && !steps_.seriesNames().empty();
+    pages_->setCurrentIndex(any ? 1 : 0);
+    if (!any) {
+        sentence_->setText(steps_.isOpen() ? tr("The numbers of the steps passed are plotted here. Step forward to get the first.")
+                                           : tr("The numbers of the algorithm that is stepped are plotted here."));
+        return;
+    }
+    if (shown_ != steps_.plotted()) rebuild();
+    if (seen_ != steps_.history().end()) append();
+    moveCursor();
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotPanel::rebuild()
+{
+    shown_ = steps_.plotted();
+    taken_.clear();
+    seen_ = 0;
+    dot_->setGraph(nullptr);
+    plot_->clearGraphs();
+    logarithmic_ = !shown_.isEmpty() && isLogarithmic(*steps_.operation(), shown_.front());
+    plot_->yAxis->setScaleType(logarithmic_ ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    QSharedPointer<QCPAxisTicker> ticker(logarithmic_ ? new QCPAxisTickerLog : new QCPAxisTicker);
+    ticker->setTickCount(4);
+    plot_->yAxis->setTicker(ticker);
+    plot_->yAxis->setNumberFormat(logarithmic_ ? "eb" : "gb");
+    plot_->yAxis->setNumberPrecision(logarithmic_ ? 0 : 4);
+    QSharedPointer<QCPAxisTicker> steps(new QCPAxisTicker);
+    steps->setTickCount(4);
+    plot_->xAxis->setTicker(steps);
+    for (const QString& name : shown_) {
+        QCPGraph* g = plot_->addGraph();
+        g->setName(numberTitle(*steps_.operation(), name));
+        g->setAdaptiveSampling(true);
+    }
+    applyTheme();
+}
+
+void PlotPanel::append()
+{
+    seen_ = steps_.history().end();
+    for (int i = 0; i < plot_->graphCount(); ++i) {
+        const auto& points = steps_.series(shown_[i].toStdString());
+        size_t& taken = taken_[shown_[i]];
+        if (taken > points.size()) {  // it was thinned out
+            plot_->graph(i)->data()->clear();
+            taken = 0;
+        }
+        QVector<double> x, y;
+        for (; taken < points.size(); ++taken) {
+            if (logarithmic_ && points[taken].second <= 0) continue;  // has no place on this scale
+            x.append(double(points[taken].first));
+            y.append(points[taken].second);
+        }
+        plot_->graph(i)->addData(x, y, true);
+    }
+    if (fitted_) fit();
+}
+
+void PlotPanel::fit()
+{
+    plot_->yAxis->rescale();
+    if (logarithmic_)
+        plot_->yAxis->setRange(plot_->yAxis->range().lower / 1.5, plot_->yAxis->range().upper * 1.5);
+    else
+        plot_->yAxis->scaleRange(1.12);
+    plot_->xAxis->setRange(0, double(std::max<size_t>(steps_.history().end(), 10)) * 1.02);
+}
+
+void PlotPanel::moveCursor()
+{
+    cursor_->point1->setCoords(cursorX(), plot_->yAxis->range().lower);
+    cursor_->point2->setCoords(cursorX(), plot_->yAxis->range().upper);
+    const bool any = plot_->graphCount() > 0 && !plot_->graph(0)->data()->isEmpty();
+    dot_->setVisible(any);
+    if (!any) return;
+    dot_->setGraph(plot_->graph(0));
+    dot_->setGraphKey(cursorX());
+}
+
+void PlotPanel::toggle(const QString& number)
+{
+    QStringList chosen = steps_.plotted();
+    if (!chosen.removeOne(number)) chosen.append(number);
+    if (!chosen.isEmpty()) steps_.setPlotted(chosen);
+}
+
+void PlotPanel::addNumbersTo(QMenu& menu)
+{
+    const QStringList chosen = steps_.plotted();
+    for (const std::string& name : steps_.seriesNames()) {
+        const QString number = QString::fromStdString(name);
+        QAction* a = menu.addAction(numberTitle(*steps_.operation(), number), this, [this, number] { toggle(number); });
+        a->setCheckable(true);
+        a->setChecked(chosen.contains(number));
+        a->setEnabled(a->isChecked() ? chosen.size() > 1 : chosen.size() < maxCurves);
+    }
+}
+
+void PlotPanel::showMenu(const QPoint& at)
+{
+    if (!steps_.isOpen()) return;
+    QMenu menu(this);
+    addNumbersTo(menu);
+    menu.addSeparator();
+    menu.addAction(tr("Fit"), this, [this] {
+        fitted_ = true;
+        fit();
+        plot_->replot();
+    });
+    menu.addAction(tr("Save CSV..."), this, &PlotPanel::saveCsv);
+    menu.addAction(tr("Save picture..."), this, &PlotPanel::savePicture);
+    menu.exec(at);
+}
+
+void PlotPanel::saveCsv()
+{
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save CSV"), "steps.csv", tr("Tables (*.csv)"));
+    if (file.isEmpty()) return;
+    QSaveFile out(file);
+    const QByteArray text = seriesAsCsv(steps_, steps_.plotted());
+    if (!out.open(QIODevice::WriteOnly) || out.write(text) != text.size() || !out.commit())
+        sentence_->setText(tr("%1: %2. Choose another folder.").arg(file, out.errorString())), pages_->setCurrentIndex(0);
+}
+
+void PlotPanel::savePicture()
+{
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save picture"), "steps.png", tr("Pictures (*.png)"));
+    if (file.isEmpty()) return;
+    if (!plot_->savePng(file, 0, 0, 2))
+        sentence_->setText(tr("%1 could not be written. Choose another folder.").arg(file)), pages_->setCurrentIndex(0);
+}
+
+}  // namespace
+
+QByteArray seriesAsCsv(const StepSession& steps, const QStringList& numbers)
+{
+    std::map<size_t, std::vector<double>> rows;
+    for (qsizetype i = 0; i < numbers.size(); ++i)
+        for (const auto& [step, value] : steps.series(numbers[i].toStdString())) {
+            std::vector<double>& row = rows.try_emplace(step, size_t(numbers.size()), std::nan("")).first->second;
+            row[size_t(i)] = value;
+        }
+    QByteArray text = "step," + numbers.join(',').toUtf8() + '\n';
+    for (const auto& [step, row] : rows) {
+        text += QByteArray::number(qulonglong(step));
+        for (double v : row) text += ',' + (std::isnan(v) ? QByteArray() : QByteArray::number(v, 'g', 17));
+        text += '\n';
+    }
+    return text;
+}
+
+QWidget* makePlotPanel(Session& session, QWidget* parent)
+{
+    return new PlotPanel(session, parent);
+}
+
+}  // namespace mw

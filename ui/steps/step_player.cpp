@@ -1,0 +1,291 @@
+// See step_player.h.
+#include "ui/steps/step_player.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedLayout>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "ui/panels/look.h"
+#include "ui/steps/step_history.h"
+#include "ui/steps/step_lists.h"
+#include "ui/steps/step_words.h"
+
+namespace mw {
+
+namespace {
+
+/// Rich text on a card, as high as it needs.
+class FormulaCard : public QTextBrowser {
+public:
+    explicit FormulaCard(QWidget* parent) : QTextBrowser(parent)
+    {
+        setObjectName("formula");
+        setAccessibleName(tr("Formula"));
+        setOpenLinks(false);
+        setFocusPolicy(Qt::NoFocus);
+        setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        document()->setDocumentMargin(12);
+        setFrameShape(NoFrame);
+    }
+    void setFormula(const QString& html)
+    {
+        setVisible(!html.isEmpty());
+        if (html == shown_) return;
+        shown_ = html;
+        document()->setDefaultFont(formulaFont());
+        setHtml(html);
+        fit();
+    }
+
+protected:
+    void resizeEvent(QResizeEvent* e) override
+    {
+        QTextBrowser::resizeEvent(e);
+        fit();
+    }
+
+private:
+    QFont formulaFont() const
+    {
+        static const bool stix = QFontDatabase::hasFamily("STIX");
+        QFont f(stix ? "STIX" : "serif");
+        f.setStyleHint(QFont::Serif);
+        f.setPointSizeF(font().pointSizeF() * 1.45);
+        return f;
+    }
+    void fit()
+    {
+        document()->setTextWidth(viewport()->width());
+        const bool wide = document()->idealWidth() > viewport()->width() + 1;
+        setHorizontalScrollBarPolicy(wide ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+        setFixedHeight(int(document()->size().height()) + 2 + (wide ? 14 : 0));
+    }
+    QString shown_;
+};
+
+class StepPlayer : public QWidget {
+public:
+    StepPlayer(Session& session, QWidget* parent);
+
+protected:
+    void changeEvent(QEvent* e) override;
+
+private:
+    void makeTop(QVBoxLayout* column);
+    void makeEmpty();
+    void makeBody();
+    void refresh();
+    void refreshAlgorithms();
+    void refreshEmpty();
+    void refreshWords();
+    const Operation* chosen() const;
+    void start();
+
+    Session& session_;
+    StepSession& steps_;
+    std::shared_ptr<void> subscription_;
+    QComboBox* algorithm_ = nullptr;
+    QStackedLayout* pages_ = nullptr;
+    QLabel *emptyText_ = nullptr, *error_ = nullptr, *sentence_ = nullptr;
+    QPushButton* startButton_ = nullptr;
+    PhaseList* phases_ = nullptr;
+    FormulaCard* formula_ = nullptr;
+    NumberTable* numbers_ = nullptr;
+    RoleLegend* legend_ = nullptr;
+};
+
+StepPlayer::StepPlayer(Session& session, QWidget* parent) : QWidget(parent), session_(session), steps_(session.steps)
+{
+    setObjectName("step-player");
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 8, 0, 0);
+    column->setSpacing(6);
+    makeTop(column);
+    pages_ = new QStackedLayout;
+    column->addLayout(pages_, 1);
+    makeEmpty();
+    makeBody();
+    connect(&steps_, &StepSession::opened, this, [this] { refreshAlgorithms(); });
+    connect(&steps_, &StepSession::closed, this, [this] { refreshAlgorithms(); });
+    connect(&steps_, &StepSession::changed, this, &StepPlayer::refresh);
+    subscription_ = session_.document.subscribe([this](const Change& c) {
+        if (c.aspects & (Aspect::Selection | Aspect::Tree | Aspect::Mesh)) refreshAlgorithms();
+    });
+    refreshAlgorithms();
+}
+
+void StepPlayer::makeTop(QVBoxLayout* column)
+{
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(8, 0, 8, 0);
+    row->addWidget(algorithm_ = new QComboBox(this), 1);
+    algorithm_->setObjectName("step-algorithm");
+    algorithm_->setFocusPolicy(Qt::TabFocus);
+    algorithm_->setAccessibleName(tr("Algorithm"));
+    algorithm_->setToolTip(tr("The algorithm to step through."));
+    connect(algorithm_, &QComboBox::activated, this, [this] {
+        if (steps_.isOpen())
+            start();
+        else
+            refreshEmpty();
+    });
+    column->addLayout(row);
+    column->addWidget(error_ = new QLabel(this));
+    error_->setObjectName("step-error");
+    error_->setWordWrap(true);
+    error_->setContentsMargins(8, 0, 8, 0);
+    error_->setVisible(false);
+}
+
+void StepPlayer::makeEmpty()
+{
+    pages_->addWidget(look::emptyState(this, &emptyText_, &startButton_));
+    startButton_->setObjectName("step-start");
+    connect(startButton_, &QPushButton::clicked, this, &StepPlayer::start);
+}
+
+void StepPlayer::makeBody()
+{
+    auto* area = new QScrollArea(this);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    auto* body = new QWidget(area);
+    auto* column = new QVBoxLayout(body);
+    column->setContentsMargins(0, 0, 0, 8);
+    column->setSpacing(8);
+    column->addWidget(phases_ = new PhaseList(steps_, body));
+    column->addWidget(sentence_ = new QLabel(body));
+    sentence_->setObjectName("step-sentence");
+    sentence_->setWordWrap(true);
+    sentence_->setTextFormat(Qt::RichText);
+    sentence_->setContentsMargins(8, 2, 8, 0);
+    auto* card = new QHBoxLayout;
+    card->setContentsMargins(8, 0, 8, 0);
+    card->addWidget(formula_ = new FormulaCard(body));
+    column->addLayout(card);
+    column->addWidget(numbers_ = new NumberTable(steps_, body));
+    auto* signs = new QHBoxLayout;
+    signs->setContentsMargins(8, 0, 8, 0);
+    signs->addWidget(legend_ = new RoleLegend(body));
+    column->addLayout(signs);
+    column->addStretch(1);
+    area->setWidget(body);
+    pages_->addWidget(area);
+}
+
+void StepPlayer::changeEvent(QEvent* e)
+{
+    QWidget::changeEvent(e);
+    if (e->type() == QEvent::PaletteChange && legend_) refresh();
+}
+
+const Operation* StepPlayer::chosen() const
+{
+    return findOperation(algorithm_->currentData().toString().toStdString());
+}
+
+void StepPlayer::start()
+{
+    NodeId node;
+    const auto all = steppable(session_, &node);
+    const Operation* op = chosen();
+    if (!op) return;
+    if (steps_.isOpen() && steps_.node()) node = steps_.node();
+    stepThrough(session_, *op, node);
+}
+
+void StepPlayer::refreshAlgorithms()
+{
+    const QString before = algorithm_->currentData().toString();
+    QString wanted = steps_.isOpen() ? QString::fromStdString(steps_.operation()->id) : before;
+    NodeId node;
+    algorithm_->clear();
+    for (const Operation* op : steppable(session_, &node)) algorithm_->addItem(QString::fromStdString(op->title), QString::fromStdString(op->id));
+    if (steps_.isOpen() && algorithm_->findData(wanted) < 0) algorithm_->addItem(QString::fromStdString(steps_.operation()->title), wanted);
+    algorithm_->setCurrentIndex(std::max(0, algorithm_->findData(wanted)));
+    algorithm_->setEnabled(algorithm_->count() > 0);
+    refresh();
+}
+
+void StepPlayer::refreshEmpty()
+{
+    NodeId node;
+    steppable(session_, &node);
+    const Operation* op = chosen();
+    const bool ready = op && (node || op->accepts == Kind::Nothing);
+    startButton_->setText(op ? tr("Step through %1").arg(QString::fromStdString(op->title)) : tr("Step through"));
+    startButton_->setEnabled(ready);
+    startButton_->setToolTip(ready ? QString() : tr("No mesh is selected."));
+    if (node)
+        emptyText_->setText(tr("Run an algorithm on %1 one step at a time.").arg(QString::fromStdString(session_.document.scene().node(node).name)));
+    else
+        emptyText_->setText(tr("Select a mesh to run an algorithm on it one step at a time."));
+}
+
+void StepPlayer::refresh()
+{
+    pages_->setCurrentIndex(steps_.isOpen() ? 1 : 0);
+    error_->setVisible(steps_.isOpen() && !steps_.error().isEmpty());
+    error_->setText(steps_.error());
+    QPalette p = error_->palette();
+    p.setColor(QPalette::WindowText, look::tone().error);
+    error_->setPalette(p);
+    if (!steps_.isOpen()) return refreshEmpty();
+    phases_->refresh();
+    refreshWords();
+    numbers_->refresh();
+}
+
+void StepPlayer::refreshWords()
+{
+    const StepRecord& step = steps_.step();
+    if (step.phase.empty()) {
+        sentence_->setText(tr("This is the mesh before the first step. Step forward with <b>Right</b>, play with <b>Space</b>."));
+        return formula_->setFormula({});
+    }
+    if (step.phase == "end") {
+        sentence_->setText(tr("The algorithm has ended; this is its result."));
+        return formula_->setFormula({});
+    }
+    const PhaseWords w = phaseOf(*steps_.operation(), QString::fromStdString(step.phase));
+    sentence_->setText(filled(*steps_.operation(), w.sentence, step));
+    formula_->setFormula(filled(*steps_.operation(), w.formula, step));
+}
+
+}  // namespace
+
+std::vector<const Operation*> steppable(const Session& session, NodeId* node)
+{
+    const Scene& s = session.document.scene();
+    const NodeId active = session.document.selection().active();
+    const Node* n = s.find(active);
+    *node = n && n->mesh ? active : NodeId{};
+    std::vector<const Operation*> found;
+    for (const Operation& op : catalog())
+        if (op.steps && (op.accepts == Kind::Mesh || op.accepts == Kind::Nothing)) found.push_back(&op);
+    return found;
+}
+
+void stepThrough(Session& session, const Operation& op, NodeId node, ParameterValues values)
+{
+    const Node* n = session.document.scene().find(node);
+    if (op.accepts == Kind::Nothing) return session.steps.open(op, node, Value{}, std::move(values));
+    if (!n || !n->mesh) return;
+    session.steps.open(op, node, Value{session.document.shownMesh(n->mesh)}, std::move(values));
+}
+
+QWidget* makeStepPlayerPanel(Session& session, QWidget* parent)
+{
+    return new StepPlayer(session, parent);
+}
+
+}  // namespace mw

@@ -14,9 +14,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr uint64_t largestLibrary = uint64_t(64) << 20;
+constexpr uint64_t largestLibraries = uint64_t(16) << 20;  ///< of one file, together
 constexpr uint64_t largestPictures = uint64_t(160) << 20;  ///< of one file, together
-constexpr size_t mostMaterials = 4096, mostExtras = 64;
+constexpr size_t mostMaterials = 4096, mostKept = 64, longestKept = 1000;
+constexpr size_t mostLookups = 10000;  ///< of files by name: each costs system calls
 
 constexpr Finding libraryFinding{"missing-material-library", "material library cannot be read; materials are grey",
                                  "material libraries cannot be read; materials are grey"};
@@ -27,13 +28,12 @@ constexpr Finding kindFinding{"texture-format", "picture is neither PNG nor JPEG
                               "pictures are neither PNG nor JPEG: left out; convert them"};
 constexpr Finding sizeFinding{"texture-size", "picture is left out: all together would exceed 160 MB",
                               "pictures are left out: all together would exceed 160 MB"};
-constexpr Finding mtlFinding{"material-line", "line of a material library was not understood", "lines of material libraries were not understood"};
 constexpr Finding manyFinding{"many-materials", "material beyond the first 4096: left out", "materials beyond the first 4096: left out"};
 
 /// Up to `most` numbers of a text; the rest stays as it was.
 int numbersOf(std::string_view text, double* to, int most)
 {
-    const std::string buffer(text);
+    const std::string buffer(text.substr(0, 256));  // a line may be long
     const char* p = buffer.c_str();
     int n = 0;
     while (n < most) {
@@ -77,15 +77,6 @@ std::string lower(std::string_view s)
     return l;
 }
 
-void keepLine(Material& m, std::string_view keyword, std::string_view rest)
-{
-    nlohmann::json extras = m.extras.empty() ? nlohmann::json::object() : nlohmann::json::parse(m.extras);
-    nlohmann::json& lines = extras["mtl"];
-    if (lines.size() >= mostExtras) return;
-    lines.push_back(std::string(keyword) + " " + std::string(rest));
-    m.extras = extras.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 std::string_view pictureKind(std::string_view start)
 {
     if (start.starts_with("\x89PNG")) return "image/png";
@@ -108,39 +99,63 @@ void MtlReader::readLibraries(const std::string& names)
     if (!any) findings_.add(insideFolder(folder_, names).empty() ? outsideFinding : libraryFinding, [&] { return inQuotes(names); });
 }
 
-bool MtlReader::readLibrary(const std::string& name)
+/// The file of that name in the folder, or empty. After ten thousand of them nothing is found any more.
+fs::path MtlReader::lookUp(const std::string& name)
 {
+    if (++lookups_ > mostLookups) return {};
     const fs::path path = insideFolder(folder_, name);
     std::error_code e;
-    if (path.empty() || !fs::is_regular_file(path, e)) return false;
-    FileBytes bytes;
+    return fs::is_regular_file(path, e) ? path : fs::path();
+}
+
+bool MtlReader::readLibrary(const std::string& name)
+{
+    const fs::path path = lookUp(name);
+    if (path.empty()) return false;
+    if (!libraries_.insert(path).second) return true;
     try {
-        bytes = readBytes(path, largestLibrary);
+        const FileBytes bytes = readBytes(path, largestLibraries - libraryBytes_);
+        libraryBytes_ += bytes.size();
+        readLines(bytes.text());
     } catch (const Error&) {
         return false;
     }
-    Material* current = nullptr;
-    for (const char* p = bytes.begin(); p < bytes.end();) {
-        const char* end = static_cast<const char*>(std::memchr(p, '\n', size_t(bytes.end() - p + 1)));
-        const std::string_view text = trimmed({p, size_t(end - p)});
-        p = end + 1;
+    return true;
+}
+
+void MtlReader::readLines(std::string_view all)
+{
+    current_ = nullptr;
+    while (!all.empty()) {
+        const size_t end = all.find('\n');
+        const std::string_view text = trimmed(all.substr(0, end));
+        all.remove_prefix(end == all.npos ? all.size() : end + 1);
         if (text.empty() || text[0] == '#') continue;
         const std::string_view keyword = text.substr(0, text.find_first_of(" \t"));
         const std::string_view rest = trimmed(text.substr(keyword.size()));
-        if (keyword == "newmtl") {
-            if (materials_.size() == mostMaterials) {
-                findings_.add(manyFinding);
-                return true;
-            }
-            current = &materials_[std::string(rest)];
-            *current = Material{};
-            current->name = rest;
-            roughnessGiven_ = false;
-        } else if (current) {
-            line(*current, keyword, rest);
+        if (keyword != "newmtl") {
+            if (current_) line(*current_, keyword, rest);
+            continue;
         }
+        finish();
+        if (materials_.size() == mostMaterials) {
+            findings_.add(manyFinding);
+            return;
+        }
+        current_ = &materials_[std::string(rest)];
+        *current_ = Material{};
+        current_->name = rest;
+        roughnessGiven_ = false;
     }
-    return true;
+    finish();
+}
+
+/// The present material is whole.
+void MtlReader::finish()
+{
+    if (current_ && !kept_.empty()) current_->extras = nlohmann::json{{"mtl", kept_}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    kept_.clear();
+    current_ = nullptr;
 }
 
 void MtlReader::line(Material& m, std::string_view keyword, std::string_view rest)
@@ -163,7 +178,7 @@ void MtlReader::line(Material& m, std::string_view keyword, std::string_view res
         m.metallic = one();
     } else if (!texture(m, keyword, rest)) {
         if (keyword == "Ns" && n > 0 && !roughnessGiven_) m.roughness = std::clamp(std::sqrt(2 / (std::max(v[0], 0.0) + 2)), 0.0, 1.0);
-        keepLine(m, keyword, rest);
+        if (kept_.size() < mostKept && rest.size() < longestKept) kept_.push_back(std::string(keyword) + " " + std::string(rest));
     }
 }
 
@@ -197,22 +212,22 @@ bool MtlReader::texture(Material& m, std::string_view keyword, std::string_view 
 
 ImageId MtlReader::image(const std::string& name)
 {
-    fs::path path = insideFolder(folder_, name);
-    std::error_code e;
-    if (path.empty() || !fs::is_regular_file(path, e)) {
+    fs::path path = lookUp(name);
+    if (path.empty()) {
         // Paths of the machine it was made on: the picture often lies beside the model.
         const size_t slash = name.find_last_of("/\\");
-        const fs::path beside = slash == name.npos ? fs::path() : insideFolder(folder_, name.substr(slash + 1));
-        if (beside.empty() || !fs::is_regular_file(beside, e)) {
-            findings_.add(path.empty() ? outsideFinding : pictureFinding, [&] { return inQuotes(name); });
+        if (slash != name.npos) path = lookUp(name.substr(slash + 1));
+        if (path.empty()) {
+            findings_.add(lookups_ <= mostLookups && insideFolder(folder_, name).empty() ? outsideFinding : pictureFinding,
+                          [&] { return inQuotes(name); });
             return {};
         }
-        path = beside;
     }
     if (auto known = images_.find(path); known != images_.end()) return known->second;
     ImageId& id = images_[path];
     try {
         const std::string_view kind = pictureKind(readStart(path, 16));
+        std::error_code e;
         const uint64_t size = fs::file_size(path, e);
         if (kind.empty()) {
             findings_.add(kindFinding, [&] { return inQuotes(name); });

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ public:
 
 private:
     bool readLibrary(const std::string& name);
+    std::filesystem::path lookUp(const std::string& name);
+    void readLines(std::string_view text);
+    void finish();
     void line(Material& material, std::string_view keyword, std::string_view rest);
     bool texture(Material& material, std::string_view keyword, std::string_view rest);
     ImageId image(const std::string& name);
@@ -32,7 +36,11 @@ private:
     Findings& findings_;
     std::map<std::string, Material> materials_;
     std::map<std::filesystem::path, ImageId> images_;
-    uint64_t imageBytes_ = 0;
+    std::set<std::filesystem::path> libraries_;
+    Material* current_ = nullptr;
+    std::vector<std::string> kept_;  // lines of the present material without a place in it
+    uint64_t imageBytes_ = 0, libraryBytes_ = 0;
+    size_t lookups_ = 0;
     bool roughnessGiven_ = false;  // the present material has a Pr line: Ns says no more
 };
 

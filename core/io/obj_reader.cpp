@@ -217,8 +217,6 @@ void Builder::materials(Mesh& mesh, Scene& scene, const fs::path& folder, std::v
 {
     if (data_.materialRuns.empty()) return;
     MtlReader reader(folder, scene, findings_);
-    std::sort(data_.libraries.begin(), data_.libraries.end());
-    data_.libraries.erase(std::unique(data_.libraries.begin(), data_.libraries.end()), data_.libraries.end());
     for (const std::string& l : data_.libraries) reader.readLibraries(l);
     if (data_.materialRuns.front().face > 0) data_.materialNames.push_back("default");
     for (const std::string& name : data_.materialNames) {

@@ -27,12 +27,25 @@ const std::string& fileOf(size_t format)
     return files[format];
 }
 
+/// What was read is written and read again: as much comes back.
+void writeBack(const mw::Imported& in)
+{
+    if (in.scene.meshes().size() != 1 || !in.format.starts_with("PLY")) return;
+    const mw::Mesh& mesh = in.scene.find(in.scene.meshes()[0])->base;
+    mw::writeFile(in.scene, fileOf(1));
+    const mw::Imported back = mw::readFile(fileOf(1));
+    const mw::Mesh& again = back.scene.find(back.scene.meshes()[0])->base;
+    if (again.vertexCount() != mesh.vertexCount() || again.cornerCount() != mesh.cornerCount() ||
+        again.attributes().size() != mesh.attributes().size())
+        std::abort();
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
     if (size == 0) return -1;
-    // The first byte chooses the format, so that one corpus serves all.
+    // The first byte chooses the format ('0' OBJ, '1' PLY, '2' GLB, '3' glTF), so that one corpus serves all.
     const std::string& name = fileOf(bytes[0] % 4);
     if (FILE* f = std::fopen(name.c_str(), "wb")) {
         std::fwrite(bytes + 1, 1, size - 1, f);
@@ -46,6 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
             mesh.triangulation();
             mesh.vertexNormals();
         }
+        writeBack(in);
     } catch (const mw::Error&) {
     }
     return 0;

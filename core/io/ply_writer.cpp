@@ -309,7 +309,10 @@ void Writer::edges()
 std::vector<Warning> Writer::run()
 {
     if (mesh_.vertexCount() == 0) throw Error(file_.string(), "there is no visible mesh to write");
-    for (const Attribute& a : mesh_.attributes()) place(a);
+    // Those with names of their own first: a property that happens to be called "s" gives way.
+    for (const bool known : {true, false})
+        for (const Attribute& a : mesh_.attributes())
+            if (knownNames(a).empty() != known) place(a);
     size_t largestFace = 0, components = 1;
     for (size_t f = 0; f < mesh_.faceCount(); ++f) largestFace = std::max(largestFace, mesh_.face(f).size());
     for (const Column& c : faceColumns_)

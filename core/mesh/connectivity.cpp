@@ -33,6 +33,7 @@ void sortSmall(uint64_t* first, uint64_t* last)
         std::sort(first, last);
         return;
     }
+    if (first == last) return;  // perhaps null
     for (uint64_t* i = first + 1; i < last; ++i) {
         const uint64_t x = *i;
         uint64_t* j = i;

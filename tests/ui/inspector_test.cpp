@@ -179,8 +179,8 @@ void InspectorTest::repairAddsTheModifier()
     const Mesh split =
         Mesh::triangles(Array<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, Array<uint32_t>{0, 1, 2, 3, 5, 4});
     Desk d(split);
-    QTRY_VERIFY(d.row("Vertices at the same place"));
-    QCOMPARE(d.row("Vertices at the same place")->text(1), QString("2 too many"));
+    QTRY_VERIFY(d.row("Coincident vertices"));
+    QCOMPARE(d.row("Coincident vertices")->text(1), QString("2 too many"));
     auto* weld = d.panel->findChild<QPushButton*>("repair-coincident");
     QVERIFY(weld);
     QTest::mouseClick(weld, Qt::LeftButton);

@@ -144,7 +144,7 @@ Finding coincident(const Mesh& mesh)
     std::iota(order.begin(), order.end(), 0u);
     auto key = [&](uint32_t v) { return std::tuple(p[v].x, p[v].y, p[v].z, v); };
     std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
-    Finding f{"coincident", tr("Vertices at the same place"), {}, tr("No two vertices are at the same place."), {}, {}, 0, "weld", tr("Weld")};
+    Finding f{"coincident", tr("Coincident vertices"), {}, tr("No two vertices are at the same place."), {}, {}, 0, "weld", tr("Weld")};
     std::vector<uint32_t> all;
     std::vector<std::vector<uint32_t>> groups;
     for (size_t i = 0; i < order.size();) {

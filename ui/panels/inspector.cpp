@@ -13,6 +13,7 @@
 #include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/panels/inspection.h"
@@ -36,14 +37,12 @@ public:
         if (!i.data(sectionRole).toBool()) return QStyledItemDelegate::paint(p, o, i);
         const look::Tones& t = look::tone();
         p->fillRect(o.rect, t.raised);
-        if (i.column() != 0) return;
         QFont bold = o.font;
         bold.setBold(true);
         const QString title = i.data(Qt::DisplayRole).toString();
         const int w = QFontMetrics(bold).horizontalAdvance(title);
-        const QRect r = o.rect.adjusted(8, 0, 200, 0);
+        const QRect r = o.rect.adjusted(8, 0, 0, 0);
         p->save();
-        p->setClipping(false);
         p->setFont(bold);
         p->setPen(t.text);
         p->drawText(r, Qt::AlignVCenter, title);
@@ -138,7 +137,7 @@ void Inspector::makePage()
     column->addWidget(makeCounts(page));
     column->addWidget(busy_ = new QLabel(tr("Measuring..."), page));
     busy_->setContentsMargins(8, 0, 8, 0);
-    busy_->setForegroundRole(QPalette::PlaceholderText);
+    busy_->setProperty("secondary", true);
     makeTree();
     column->addWidget(tree_, 1);
     pages_->addWidget(page);
@@ -155,7 +154,7 @@ QWidget* Inspector::makeCounts(QWidget* parent)
     const char* ids[] = {"vertices", "edges", "faces", "euler", "genus", "components"};
     for (int i = 0; i < 6; ++i) {
         auto* name = new QLabel(names[i], box);
-        name->setForegroundRole(QPalette::PlaceholderText);
+        name->setProperty("secondary", true);
         grid->addWidget(name, i % 3, i / 3 * 2);
         grid->addWidget(values_[i] = new QLabel(box), i % 3, i / 3 * 2 + 1, Qt::AlignRight);
         values_[i]->setObjectName(QString("inspect-") + ids[i]);
@@ -176,6 +175,7 @@ void Inspector::makeTree()
     tree_->setRootIsDecorated(false);
     tree_->setIndentation(16);
     tree_->setFrameShape(QFrame::NoFrame);
+    tree_->setStyleSheet("QTreeView::item { padding-right: 8px; }");
     tree_->setExpandsOnDoubleClick(false);
     tree_->setMouseTracking(true);
     tree_->setUniformRowHeights(false);
@@ -338,6 +338,8 @@ void Inspector::fill()
     values_[4]->setToolTip(i.genus ? QString() : tr("Only a manifold, orientable mesh without degenerate faces has one."));
     values_[5]->setText(look::count(i.components));
     tree_->clear();
+    const auto mendable = [](const Finding& f) { return !f.passed() && !f.repair.empty(); };
+    tree_->setColumnHidden(2, std::none_of(i.findings.begin(), i.findings.end(), mendable));
     const size_t bad = i.toFix(), good = i.findings.size() - bad;
     if (bad > 0) {
         QTreeWidgetItem* s = section(tr("To fix"), look::counted(bad, tr("kind"), tr("kinds")));
@@ -352,7 +354,8 @@ void Inspector::fill()
 QTreeWidgetItem* Inspector::section(const QString& title, const QString& figure)
 {
     auto* s = new QTreeWidgetItem(tree_, {title});
-    for (int c = 0; c < 3; ++c) s->setData(c, sectionRole, true);
+    s->setFirstColumnSpanned(true);
+    s->setData(0, sectionRole, true);
     s->setData(0, sectionRole + 1, figure);
     s->setFlags(Qt::ItemIsEnabled);
     s->setExpanded(true);

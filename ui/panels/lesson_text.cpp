@@ -69,10 +69,11 @@ QWidget* LessonText::makePage()
     text_->setFrameShape(QFrame::NoFrame);
     text_->setOpenLinks(false);
     text_->document()->setDocumentMargin(8);
-    text_->viewport()->setAutoFillBackground(false);
+    text_->setStyleSheet("QTextBrowser { background: transparent; border: 0; }");
     connect(text_, &QTextBrowser::anchorClicked, this, &LessonText::follow);
     column->addWidget(error_ = new QLabel(page));
     error_->setWordWrap(true);
+    error_->setProperty("bad", true);
     error_->setContentsMargins(8, 0, 8, 0);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(8, 0, 8, 0);
@@ -142,9 +143,6 @@ void LessonText::refresh()
     next_->setToolTip(next() ? QString::fromStdString(next()->title) : tr("This is the last lesson."));
     error_->setVisible(!desk_.error().isEmpty());
     error_->setText(desk_.error());
-    QPalette p = error_->palette();
-    p.setColor(QPalette::WindowText, look::tone().error);
-    error_->setPalette(p);
 }
 
 void LessonText::follow(const QUrl& link)

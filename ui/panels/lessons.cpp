@@ -81,7 +81,7 @@ LessonsPanel::LessonsPanel(Session& session, QWidget* parent) : QWidget(parent),
     auto* row = new QHBoxLayout(backBar_);
     row->setContentsMargins(8, 4, 8, 8);
     auto* text = new QLabel(tr("Your scene is kept."), backBar_);
-    text->setForegroundRole(QPalette::PlaceholderText);
+    text->setProperty("secondary", true);
     row->addWidget(text, 1);
     auto* back = new QPushButton(tr("Back to my scene"), backBar_);
     back->setObjectName("lesson-back");

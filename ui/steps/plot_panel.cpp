@@ -169,13 +169,10 @@ void PlotPanel::applyTheme()
         a->grid()->setPen(QPen(t.border, 1));
         a->grid()->setSubGridVisible(false);
         a->grid()->setZeroLinePen(QPen(t.border, 1));
-        a->setNumberPrecision(3);
         a->setTickLengthIn(0);
     }
     plot_->xAxis->grid()->setVisible(false);
-    plot_->xAxis->setNumberFormat("f");
-    plot_->xAxis->setNumberPrecision(0);
-    plot_->legend->setBrush(t.panel);
+    plot_->legend->setBrush(Qt::NoBrush);  // a curve may begin behind it
     plot_->legend->setBorderPen(Qt::NoPen);
     plot_->legend->setTextColor(t.text);
     plot_->legend->setFont(small);
@@ -242,6 +239,8 @@ void PlotPanel::rebuild()
         g->setName(numberTitle(*steps_.operation(), name));
         g->setAdaptiveSampling(true);
     }
+    plot_->xAxis->setNumberFormat("f");
+    plot_->xAxis->setNumberPrecision(0);
     applyTheme();
 }
 
@@ -264,6 +263,9 @@ void PlotPanel::append()
         plot_->graph(i)->addData(x, y, true);
     }
     if (fitted_) fit();
+    // Whole powers of ten where there are several, else one digit more.
+    const QCPRange y = plot_->yAxis->range();
+    if (logarithmic_) plot_->yAxis->setNumberPrecision(y.lower > 0 && y.upper / y.lower > 100 ? 0 : 1);
 }
 
 void PlotPanel::fit()

@@ -55,7 +55,7 @@ SourcePanel::SourcePanel(Session& session, QWidget* parent) : QWidget(parent), s
     where_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     where_->setFixedHeight(22);
     where_->setContentsMargins(8, 0, 8, 0);
-    where_->setForegroundRole(QPalette::PlaceholderText);
+    where_->setProperty("secondary", true);
     column->addWidget(view_ = new SourceView(page), 1);
     pages_->addWidget(page);
     connect(view_, &SourceView::yieldClicked, &steps_, &StepSession::toLines);
@@ -119,6 +119,8 @@ SourceView::SourceView(QWidget* parent) : QPlainTextEdit(parent), gutter_(new Gu
     setAccessibleName(tr("Source of the algorithm"));
     setLineWrapMode(NoWrap);
     setFrameShape(NoFrame);
+    setStyleSheet("QPlainTextEdit { border: 0; border-radius: 0; }");
+    document()->setDocumentMargin(0);
     setFont(look::monospace());
     setFocusPolicy(Qt::TabFocus);
     viewport()->setMouseTracking(true);
@@ -158,7 +160,8 @@ void SourceView::setRunning(unsigned line)
 {
     running_ = line;
     mark();
-    if (line > 0) keepInMiddle(int(line) - 1);
+    const YieldLines* y = yieldAt(line);
+    if (line > 0) keepInMiddle(int(y ? y->first : line) - 1);
     gutter_->update();
 }
 
@@ -217,7 +220,7 @@ void SourceView::resizeEvent(QResizeEvent* e)
     QPlainTextEdit::resizeEvent(e);
     const QRect r = contentsRect();
     gutter_->setGeometry(r.left(), r.top(), gutterWidth(), r.height());
-    if (running_ > 0) keepInMiddle(int(running_) - 1);
+    if (running_ > 0) setRunning(running_);
 }
 
 void SourceView::mouseMoveEvent(QMouseEvent* e)

@@ -96,7 +96,7 @@ std::vector<std::string> StepHistory::phases() const
 {
     std::vector<std::string> names;
     for (const Site& s : sites_)
-        if (!s.phase.empty() && std::find(names.begin(), names.end(), s.phase) == names.end()) names.push_back(s.phase);
+        if (!s.phase.empty() && s.line != 0 && std::find(names.begin(), names.end(), s.phase) == names.end()) names.push_back(s.phase);
     return names;
 }
 

@@ -31,7 +31,7 @@ public:
     std::vector<std::string> seriesNames() const;
 
     const std::string& phaseAt(size_t position) const;
-    std::vector<std::string> phases() const;  ///< in order of their first step
+    std::vector<std::string> phases() const;  ///< in order of their first step; the end is none
     size_t countOf(const std::string& phase, size_t upTo) const;
     /// The nearest step after or before `position`; npos when none was seen.
     size_t nextOf(const std::string& phase, size_t position) const;

@@ -143,6 +143,7 @@ NumberTable::NumberTable(StepSession& steps, QWidget* parent) : QTreeWidget(pare
     header()->setSectionsMovable(false);
     header()->setSectionsClickable(false);
     header()->setMinimumSectionSize(40);
+    setStyleSheet("QTreeView::item { padding: 0 8px; min-height: 20px; } QHeaderView::section { padding: 3px 8px; }");
     header()->setSectionResizeMode(0, QHeaderView::Stretch);
     header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);

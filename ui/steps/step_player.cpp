@@ -40,7 +40,8 @@ public:
         if (html == shown_) return;
         shown_ = html;
         document()->setDefaultFont(formulaFont());
-        setHtml(html);
+        // Lines of fractions and matrices are black unless told otherwise.
+        setHtml(QString(html).replace("1px solid", "1px solid " + look::tone().text.name()));
         fit();
     }
 
@@ -140,6 +141,7 @@ void StepPlayer::makeTop(QVBoxLayout* column)
     column->addWidget(error_ = new QLabel(this));
     error_->setObjectName("step-error");
     error_->setWordWrap(true);
+    error_->setProperty("bad", true);
     error_->setContentsMargins(8, 0, 8, 0);
     error_->setVisible(false);
 }
@@ -236,9 +238,6 @@ void StepPlayer::refresh()
     pages_->setCurrentIndex(steps_.isOpen() ? 1 : 0);
     error_->setVisible(steps_.isOpen() && !steps_.error().isEmpty());
     error_->setText(steps_.error());
-    QPalette p = error_->palette();
-    p.setColor(QPalette::WindowText, look::tone().error);
-    error_->setPalette(p);
     if (!steps_.isOpen()) return refreshEmpty();
     phases_->refresh();
     refreshWords();

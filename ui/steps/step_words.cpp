@@ -168,7 +168,10 @@ std::vector<FocusWords> focusOf(const StepRecord& step)
     for (const auto& [key, n] : counts) {
         const auto f =
             std::find_if(step.focus.begin(), step.focus.end(), [&](const Focus& x) { return !x.label && std::pair(x.kind, x.role) == key; });
-        found.push_back({QObject::tr(kindWord(key.first, n > 1)), n > 1 ? look::count(n) : elementText(*f), key.second});
+        const QString kind = QObject::tr(kindWord(key.first, n > 1));
+        const bool plain = key.second == Role::Current;
+        found.push_back({plain ? kind : QObject::tr("%1, %2").arg(kind, look::roleName(key.second).toLower()),
+                         n > 1 ? look::count(n) : elementText(*f), key.second});
     }
     std::stable_sort(found.begin(), found.end(), [](const FocusWords& a, const FocusWords& b) { return a.role < b.role; });
     return found;

@@ -39,6 +39,7 @@ QToolButton* button(QWidget* parent, const char* iconName, const QString& name, 
     b->setIconSize({16, 16});
     b->setFixedSize(size, size);
     b->setAutoRaise(true);
+    b->setStyleSheet("QToolButton { padding: 0; }");
     b->setFocusPolicy(Qt::TabFocus);
     b->setAccessibleName(name);
     return b;
@@ -117,7 +118,6 @@ void Strip::makeButtons(QHBoxLayout* row)
     row->addWidget(next_ = button(this, "next", tr("Step forward"), 28));
     row->addWidget(last_ = button(this, "last", tr("Last step"), 28));
     play_->setAutoRaise(false);
-    play_->setProperty("primary", true);
     for (QToolButton* b : {first_, back_, next_, last_, play_}) b->setObjectName("transport-" + b->accessibleName().toLower().replace(' ', '-'));
     connect(first_, &QToolButton::clicked, &steps_, &StepSession::first);
     connect(back_, &QToolButton::clicked, &steps_, &StepSession::back);
@@ -246,6 +246,10 @@ void Strip::refreshButtons()
     set(back_, !start, tr("One stop back · Left"), tr("It stands at the start."));
     set(next_, !end, tr("To the next stop · Right"), tr("It stands at the end."));
     set(last_, !end, tr("Run to the end · End"), tr("It stands at the end."));
+    const QString primary =
+        QString("QToolButton { padding: 0; border: 0; border-radius: 4px; background: %1; } QToolButton:focus { border: 2px solid %2; }")
+            .arg(look::tone().accent.name(), look::tone().text.name());
+    if (play_->styleSheet() != primary) play_->setStyleSheet(primary);
     play_->setIcon(look::icon(playing ? "pause" : "play", Qt::white));
     play_->setAccessibleName(playing ? tr("Pause") : tr("Play"));
     play_->setToolTip(playing ? tr("Pause · Space") : end ? tr("Play from the start · Space") : tr("Play · Space"));

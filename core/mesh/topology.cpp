@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/math/hash.h"
-#include "core/mesh/union_find.h"
 #include "core/mesh/connectivity.h"
+#include "core/mesh/union_find.h"
 
 namespace mw {
 

@@ -134,7 +134,7 @@ uint32_t quadCut(const glm::dvec3 p[4], const glm::dvec3& normal)
 
 class Cutter {
 public:
-    explicit Cutter(const Mesh& mesh) : mesh_(mesh), clipper_(size_t(200) << 20) {}
+    explicit Cutter(const Mesh& mesh) : mesh_(mesh), clipper_(size_t(64) << 20) {}
     Mesh::Triangulation run();
 
 private:

@@ -12,6 +12,7 @@
 
 #include "core/catalog/catalog.h"
 #include "core/mesh/mesh.h"
+#include "ui/parameter_form.h"
 #include "ui/session.h"
 #include "ui/steps/plot_panel.h"
 #include "ui/steps/source_panel.h"
@@ -108,6 +109,7 @@ private slots:
     void historyThinsOut();
     void theStripScrubsAndListensToKeys();
     void thePlayerShowsPhasesAndNumbers();
+    void parametersStartAgain();
     void theSourceFollowsTheRunningLine();
     void thePlotHasTheSeries();
 };
@@ -361,6 +363,27 @@ void StepsTest::thePlayerShowsPhasesAndNumbers()
     QCOMPARE(depths.size(), 1);
     QCOMPARE(depths[0]->text(1), QString("−0.75"));
     QCOMPARE(depths[0]->text(2), QString("−0.5"));
+}
+
+void StepsTest::parametersStartAgain()
+{
+    Desk d;
+    Operation op = d.quick;
+    op.parameters = {{"lift", ParameterType::Number, 0.25, {.title = "Lift", .help = "How far it rises.", .min = 0, .max = 1}, {}}};
+    std::unique_ptr<QWidget> panel(makeStepPlayerPanel(d.session, nullptr));
+    panel->show();
+    d.open(op);
+    d.steps.seek(5);
+    QTRY_COMPARE(d.steps.position(), size_t(5));
+    auto* button = panel->findChild<QPushButton*>("step-parameters");
+    QVERIFY(button->isEnabled());
+    QTest::mouseClick(button, Qt::LeftButton);
+    auto* form = panel->findChild<ParameterForm*>();
+    QVERIFY(form && form->isVisible());
+    emit form->committed({{"lift", 0.5}}, "lift 0.5");
+    QCOMPARE(d.steps.position(), size_t(0));
+    QCOMPARE(std::get<double>(d.steps.values().at("lift")), 0.5);
+    QCOMPARE(std::get<double>(form->values().at("lift")), 0.5);
 }
 
 void StepsTest::theSourceFollowsTheRunningLine()

@@ -25,11 +25,6 @@ QByteArray shapeOf(const QString& name)
     if (name == "next") return "<path d='M5 3.2v9.6L11.5 8z' fill='C'/>";
     if (name == "play") return "<path d='M4.5 2.6v10.8L13 8z' fill='C'/>";
     if (name == "pause") return "<path d='M4.5 3h2v10h-2zM9.5 3h2v10h-2z' fill='C'/>";
-    if (name == "x") return "<path d='M4 4l8 8M12 4l-8 8'/>";
-    if (name == "ok") return "<path d='M3 8.5l3.5 3.5L13 4.5'/>";
-    if (name == "here") return "<path d='M5 3.5v9L12 8z'/>";
-    if (name == "warning") return "<path d='M8 2.2L14.4 13.4H1.6z'/><path d='M8 6.5v3M8 11.4v.2'/>";
-    if (name == "error") return "<circle cx='8' cy='8' r='6.2'/><path d='M8 4.8v4M8 11v.2'/>";
     return {};
 }
 
@@ -37,16 +32,12 @@ QByteArray shapeOf(const QString& name)
 
 bool dark()
 {
-    return qApp->palette().color(QPalette::Window).lightness() < 128;
+    return currentTheme() == Theme::Dark;
 }
 
 const Tones& tone()
 {
-    static const Tones darkTones{"#1B1D20", "#24272B", "#2E3237", "#17191C", "#363B41", "#3D434A", "#7B838D", "#E6E8EB", "#AEB5BD",
-                                 "#7C848D", "#2F6FC4", "#6CB2FF", "#27507D", "#FFFFFF", "#F2B84B", "#FF7B72", "#4CC38A"};
-    static const Tones lightTones{"#D5D9DE", "#F4F5F7", "#E6E9ED", "#FFFFFF", "#DADFE5", "#C3C9D0", "#7D8690", "#1C2126", "#4A535D",
-                                  "#8A929B", "#1F63B5", "#1A5CAA", "#C9DFF7", "#0E2A47", "#7D5200", "#B3261E", "#17693A"};
-    return dark() ? darkTones : lightTones;
+    return tokens();
 }
 
 QColor roleColor(Role r)
@@ -126,6 +117,7 @@ void paintRole(QPainter& p, Role r, const QRectF& box)
 QIcon icon(const QString& name, const QColor& color)
 {
     const QColor c = color.isValid() ? color : tone().text;
+    if (shapeOf(name).isEmpty()) return mw::icon(name, c);
     static QHash<QString, QIcon> known;
     QIcon& made = known[name + c.name() + (dark() ? 'd' : 'l')];
     if (!made.isNull()) return made;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/steps/step.h"
+#include "ui/theme.h"
 
 class QLabel;
 class QPainter;
@@ -15,10 +16,7 @@ class QPushButton;
 
 namespace mw::look {
 
-struct Tones {
-    QColor window, panel, raised, field, hover, border, strong, text, text2, text3, accent, accentText, selection, selectionText, warning, error,
-        success;
-};
+using Tones = Tokens;
 const Tones& tone();  ///< of the theme in use
 bool dark();
 QColor roleColor(Role r);      ///< of marks
@@ -26,7 +24,7 @@ QColor roleTextColor(Role r);  ///< of words and formula terms on a panel
 QString roleName(Role r);
 void paintRole(QPainter& p, Role r, const QRectF& box);  ///< the sign of a legend: shape as well as colour
 
-/// One of our line icons in the colour of the text, or in `color`.
+/// The filled signs of the transport; any other name is one of resources/icons.
 QIcon icon(const QString& name, const QColor& color = {});
 
 /// Three significant digits, thousands grouped, a true minus; counts in full.

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/look.h"
+#include "ui/parameter_form.h"
 #include "ui/steps/step_history.h"
 #include "ui/steps/step_lists.h"
 #include "ui/steps/step_words.h"
@@ -87,6 +88,7 @@ private:
     void refreshEmpty();
     void refreshWords();
     const Operation* chosen() const;
+    void refreshForm();
     void start();
 
     Session& session_;
@@ -95,7 +97,10 @@ private:
     QComboBox* algorithm_ = nullptr;
     QStackedLayout* pages_ = nullptr;
     QLabel *emptyText_ = nullptr, *error_ = nullptr, *sentence_ = nullptr;
-    QPushButton* startButton_ = nullptr;
+    QPushButton *startButton_ = nullptr, *parameters_ = nullptr;
+    QVBoxLayout* formBox_ = nullptr;
+    ParameterForm* form_ = nullptr;
+    const Operation* formOf_ = nullptr;
     PhaseList* phases_ = nullptr;
     FormulaCard* formula_ = nullptr;
     NumberTable* numbers_ = nullptr;
@@ -113,7 +118,10 @@ StepPlayer::StepPlayer(Session& session, QWidget* parent) : QWidget(parent), ses
     column->addLayout(pages_, 1);
     makeEmpty();
     makeBody();
-    connect(&steps_, &StepSession::opened, this, [this] { refreshAlgorithms(); });
+    connect(&steps_, &StepSession::opened, this, [this] {
+        refreshForm();
+        refreshAlgorithms();
+    });
     connect(&steps_, &StepSession::closed, this, [this] { refreshAlgorithms(); });
     connect(&steps_, &StepSession::changed, this, &StepPlayer::refresh);
     subscription_ = session_.document.subscribe([this](const Change& c) {
@@ -137,6 +145,11 @@ void StepPlayer::makeTop(QVBoxLayout* column)
         else
             refreshEmpty();
     });
+    row->addWidget(parameters_ = new QPushButton(tr("Parameters"), this));
+    parameters_->setObjectName("step-parameters");
+    parameters_->setCheckable(true);
+    parameters_->setFocusPolicy(Qt::TabFocus);
+    connect(parameters_, &QPushButton::toggled, this, &StepPlayer::refreshForm);
     column->addLayout(row);
     column->addWidget(error_ = new QLabel(this));
     error_->setObjectName("step-error");
@@ -164,6 +177,9 @@ void StepPlayer::makeBody()
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(0, 0, 0, 8);
     column->setSpacing(8);
+    formBox_ = new QVBoxLayout;
+    formBox_->setContentsMargins(8, 0, 8, 0);
+    column->addLayout(formBox_);
     column->addWidget(phases_ = new PhaseList(steps_, body));
     column->addWidget(sentence_ = new QLabel(body));
     sentence_->setObjectName("step-sentence");
@@ -238,10 +254,31 @@ void StepPlayer::refresh()
     pages_->setCurrentIndex(steps_.isOpen() ? 1 : 0);
     error_->setVisible(steps_.isOpen() && !steps_.error().isEmpty());
     error_->setText(steps_.error());
+    const bool adjustable = steps_.isOpen() && !steps_.operation()->parameters.empty();
+    parameters_->setEnabled(adjustable);
+    parameters_->setToolTip(adjustable        ? tr("Show its parameters. A change starts it again.")
+                            : steps_.isOpen() ? tr("This algorithm has no parameters.")
+                                              : tr("Nothing is stepped."));
     if (!steps_.isOpen()) return refreshEmpty();
     phases_->refresh();
     refreshWords();
     numbers_->refresh();
+}
+
+void StepPlayer::refreshForm()
+{
+    if (!steps_.isOpen() || !parameters_->isChecked()) {
+        if (form_) form_->setVisible(false);
+        return;
+    }
+    if (formOf_ != steps_.operation()) {
+        delete form_;
+        formOf_ = steps_.operation();
+        formBox_->addWidget(form_ = new ParameterForm(formOf_->parameters, steps_.values(), this));
+        connect(form_, &ParameterForm::committed, &steps_, [this](const ParameterValues& values) { steps_.setValues(values); });
+    }
+    form_->setValues(steps_.values());
+    form_->setVisible(true);
 }
 
 void StepPlayer::refreshWords()

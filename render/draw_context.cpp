@@ -13,7 +13,7 @@ struct CameraBlock {
     glm::vec4 viewport, eye, skyTop, skyBottom;
 };
 struct LightsBlock {
-    glm::vec4 direction[3], light[3], sky, ground;
+    glm::vec4 direction[3], light[3], sky, ground, halfway;
 };
 
 template <class Block>
@@ -31,6 +31,7 @@ LightsBlock studio()
     l.direction[0] = towards({-0.45f, 0.72f, 0.62f});
     l.direction[1] = towards({0.85f, 0.1f, 0.45f});
     l.direction[2] = towards({0.25f, 0.5f, -0.85f});
+    l.halfway = towards(glm::vec3(l.direction[0]) + glm::vec3(0, 0, 1));
     l.light[0] = glm::vec4(0.66f * glm::vec3(1.0f, 0.985f, 0.96f), 0);
     l.light[1] = glm::vec4(0.10f * glm::vec3(0.85f, 0.93f, 1.0f), 0);
     l.light[2] = glm::vec4(0.22f * glm::vec3(0.92f, 0.96f, 1.0f), 0);

@@ -7,7 +7,7 @@
 namespace mw {
 namespace {
 
-constexpr int halfLines = 60;  // to each side of the middle
+constexpr int halfLines = 36;  // to each side of the middle
 
 /// Lines of one spacing round the middle as pairs of ends; the axes themselves are left out.
 void addLines(std::vector<glm::vec3>& out, glm::dvec3 middle, double spacing, bool skipTenth)

@@ -9,6 +9,7 @@ namespace mw {
 namespace {
 
 constexpr glm::vec4 clay{0.60f, 0.60f, 0.61f, 1};
+constexpr size_t denseFaces = 200'000;  // from here on triangles are a few pixels at most, and light at the vertices is enough
 constexpr float backFaceTint = 0.28f;
 constexpr double undefinedValue = -1e38;
 
@@ -114,6 +115,7 @@ Plan planFor(const DrawContext& c, const DrawObject& o)
     p.wants.texcoordSet = p.heat ? -1 : texcoordSet(o);
     p.wants.slots = p.heat ? 1 : std::max<size_t>(o.materials.size(), 1);
     if (flatShading) p.variant |= variant::flat;
+    if (o.dimmed) p.variant |= variant::dimmed;
     if (p.heat) {
         const bool categories = heatRow(*p.heat) == categoryRow;
         p.variant |= p.heat->table->rows == ElementKind::Face ? variant::heatFace : categories ? variant::heatCategory : variant::heat;
@@ -150,7 +152,8 @@ void drawObject(DrawContext& c, const DrawObject& o, bool blended)
         const unsigned extra = p.heat ? 0 : applyMaterial(c, o, run.slot, s.buffers.texcoords != 0, b);
         if ((c.frame.options.xray || b.look.w > 0.5f) != blended) continue;
         if (s.buffers.colors && !materialOf(o, run.slot)) b.baseColor = glm::vec4(1);
-        c.use(ProgramId::Surface, p.variant | extra);
+        const bool dense = o.mesh.faceCount() >= denseFaces && !(extra & variant::material) && !p.heat && !(p.variant & variant::flat);
+        c.use(ProgramId::Surface, p.variant | extra | (dense ? variant::dense : 0));
         drawRun(c, s, run, b);
     }
 }

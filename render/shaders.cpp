@@ -16,7 +16,7 @@ constexpr const char* lit[] = {"camera.glsl", "object.glsl", "lights.glsl", "hea
 constexpr const char* disc[] = {"camera.glsl", "object.glsl", "lights.glsl"};
 constexpr const char* canvas[] = {"camera.glsl", "heat.glsl"};
 
-constexpr const char* surfaceVariants[] = {"FLAT", "COLOR", "MATERIAL", "HEAT", "HEAT_CATEGORY", "HEAT_FACE"};
+constexpr const char* surfaceVariants[] = {"FLAT", "COLOR", "MATERIAL", "HEAT", "HEAT_CATEGORY", "HEAT_FACE", "DIMMED", "DENSE"};
 constexpr const char* wireVariants[] = {"EDGE_FLAGS"};
 constexpr const char* lineVariants[] = {"HALO"};
 constexpr const char* discVariants[] = {"COLOR"};

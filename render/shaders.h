@@ -28,7 +28,7 @@ std::string_view shaderFile(std::string_view name);
 
 /// Bits of ProgramId::Surface's variants, in the order of its row; Line and Needle know Halo, Wire knows EdgeFlags.
 namespace variant {
-inline constexpr unsigned flat = 1, color = 2, material = 4, heat = 8, heatCategory = 16, heatFace = 32;
+inline constexpr unsigned flat = 1, color = 2, material = 4, heat = 8, heatCategory = 16, heatFace = 32, dimmed = 64, dense = 128;
 inline constexpr unsigned edgeFlags = 1, halo = 1, pointColor = 1;
 }  // namespace variant
 

@@ -5,12 +5,13 @@ layout(std140) uniform Lights {
     vec4 light[3];      // linear
     vec4 sky;
     vec4 ground;
+    vec4 halfway;  // between the key light and the eye
 };
 
 vec3 sRGB(vec3 c)
 {
-    c = clamp(c, 0.0, 1.0);
-    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+    vec3 s = sqrt(clamp(c, 0.0, 1.0));  // within 0.024 of the curve, without powers
+    return s * (1.12 + s * (-0.0562 - 0.0638 * s));
 }
 
 vec3 linearOf(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
@@ -26,9 +27,9 @@ vec3 diffuseLight(vec3 n)
 }
 
 /// Highlight of the key light alone, without powers: enough for matt things.
-vec3 softHighlight(vec3 n, vec3 v)
+vec3 softHighlight(vec3 n)
 {
-    float h = max(dot(n, normalize(direction[0].xyz + v)), 0.0);
+    float h = max(dot(n, halfway.xyz), 0.0);
     h *= h;
     h *= h;
     h *= h;

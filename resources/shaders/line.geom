@@ -8,7 +8,11 @@ out vec3 lineView;
 
 void main()
 {
-    float outer = eye.x * (0.5 * stroke.x + haloWidth) + 1.0;
+#ifdef HALO
+    float outer = eye.x * (0.5 * stroke.x + haloWidth) + 0.5;
+#else
+    float outer = eye.x * 0.5 * stroke.x + 0.5;
+#endif
     vec3 a = viewPoint[0], b = viewPoint[1];
     // Cut off what lies behind the eye; beyond that plane division makes no sense.
     float near = eye.z > 0.5 ? -1e-4 * max(abs(a.z), abs(b.z)) - eye.w : 1e30;

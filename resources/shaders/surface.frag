@@ -1,9 +1,13 @@
 // Clay by default; vertex colours, textures and metal, or values as colours where the variant asks for them.
+#if defined(FLAT) || defined(MATERIAL)
 in vec3 viewPosition;
-#ifndef FLAT
+#endif
+#ifdef DENSE
+in vec4 shade;
+#elif !defined(FLAT)
 in vec3 viewNormal;
 #endif
-#ifdef COLOR
+#if defined(COLOR) && !defined(DENSE)
 in vec4 tint;
 #endif
 #ifdef MATERIAL
@@ -22,6 +26,16 @@ uniform usamplerBuffer triangleFaces;
 #endif
 out vec4 color;
 
+#ifdef DENSE
+void main()
+{
+    vec3 shown = gl_FrontFacing ? shade.rgb : shade.a * vec3(1.0 - look.z, 1.0 - 0.8 * look.z, 1.0 - 0.6 * look.z);
+#ifdef DIMMED
+    shown = mix(shown, backgroundAt(gl_FragCoord.xy), look.x);
+#endif
+    color = vec4(shown, look.y);
+}
+#else
 vec3 shadingNormal(vec3 towardsEye)
 {
 #ifdef FLAT
@@ -35,8 +49,12 @@ vec3 shadingNormal(vec3 towardsEye)
 
 void main()
 {
+#if defined(FLAT) || defined(MATERIAL)
     vec3 v = eye.z > 0.5 ? -normalize(viewPosition) : vec3(0.0, 0.0, 1.0);
     vec3 n = shadingNormal(v);
+#else
+    vec3 n = shadingNormal(vec3(0.0, 0.0, 1.0));
+#endif
     vec4 base = baseColor;
 #ifdef COLOR
     base *= tint;
@@ -58,13 +76,17 @@ void main()
 #ifdef MATERIAL
     vec3 lit = base.rgb * (1.0 - surface.x) * diffuse + surface.z * highlights(n, v, surface.y, mix(vec3(0.04), base.rgb, surface.x));
 #else
-    vec3 lit = base.rgb * diffuse + surface.z * softHighlight(n, v);
+    vec3 lit = base.rgb * diffuse + surface.z * softHighlight(n);
 #endif
     if (!gl_FrontFacing) lit *= vec3(1.0 - look.z, 1.0 - 0.8 * look.z, 1.0 - 0.6 * look.z);
-    vec3 shown = mix(sRGB(lit), backgroundAt(gl_FragCoord.xy), look.x);
+    vec3 shown = sRGB(lit);
+#ifdef DIMMED
+    shown = mix(shown, backgroundAt(gl_FragCoord.xy), look.x);
+#endif
 #ifdef MATERIAL
     color = vec4(shown, look.w > 0.5 ? base.a : look.y);
 #else
     color = vec4(shown, look.y);
 #endif
 }
+#endif

@@ -5,11 +5,15 @@ layout(location = 3) in vec2 texcoord;
 layout(location = 4) in float value;
 
 invariant gl_Position;
+#if defined(FLAT) || defined(MATERIAL)
 out vec3 viewPosition;
-#ifndef FLAT
+#endif
+#ifdef DENSE
+out vec4 shade;  // as shown; and how bright the back is
+#elif !defined(FLAT)
 out vec3 viewNormal;
 #endif
-#ifdef COLOR
+#if defined(COLOR) && !defined(DENSE)
 out vec4 tint;
 #endif
 #ifdef MATERIAL
@@ -25,11 +29,21 @@ flat out float heatValue;
 void main()
 {
     gl_Position = clipFromLocal * vec4(position, 1.0);
+#if defined(FLAT) || defined(MATERIAL)
     viewPosition = (viewFromLocal * vec4(position, 1.0)).xyz;
-#ifndef FLAT
+#endif
+#ifdef DENSE
+    // Triangles of a few pixels: light at the vertices looks the same and costs half.
+    vec3 n = normalize(mat3(normalFromLocal) * normal);
+    vec3 base = baseColor.rgb;
+#ifdef COLOR
+    base *= vertexColor.rgb;
+#endif
+    shade = vec4(sRGB(base * diffuseLight(n) + surface.z * softHighlight(n)), sRGB(base * diffuseLight(-n)).g);
+#elif !defined(FLAT)
     viewNormal = mat3(normalFromLocal) * normal;
 #endif
-#ifdef COLOR
+#if defined(COLOR) && !defined(DENSE)
     tint = vertexColor;
 #endif
 #ifdef MATERIAL

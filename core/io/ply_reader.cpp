@@ -331,13 +331,14 @@ void Reader::edges(const PlyElement& e)
         findings_.add(elementFinding, [&] { return "'edge' without vertex1 and vertex2"; });
         return body_.skip(e);
     }
+    if (count == 0) return;
     Array<double> ends(2 * count);
     a->to = ends.data();
     b->to = ends.data() + 1;
     a->stride = b->stride = 2;
     for (const PlyColumn& c : columns)
         if (!taken(c)) findings_.add(edgePropertyFinding, [&] { return inQuotes(c.property.name); });
-    if (count > 0) body_.read(e, columns);
+    body_.read(e, columns);
     lines_.resize(2 * count);
     for (size_t i = 0; i < ends.size(); ++i) lines_[i] = ends[i] >= 0 && ends[i] < double(none) ? uint32_t(ends[i]) : none;
 }

@@ -9,11 +9,14 @@
 
 namespace mw {
 
+class EvaluationService;
+
 struct Session {
     Document& document;
     Jobs& jobs;
     ViewState& view;
     StepSession& steps;
+    EvaluationService* evaluations = nullptr;  ///< who keeps the stacks' results up to date
 };
 
 }  // namespace mw

@@ -1,0 +1,107 @@
+// Saves pictures of the window in its typical states into the folder MESHWRIGHT_PICTURES, to be looked at beside the design.
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QTest>
+#include <cstdio>
+
+#include "ui/application.h"
+#include "ui/evaluation_service.h"
+#include "ui/file_commands.h"
+#include "ui/main_window.h"
+#include "ui/samples.h"
+#include "ui/stack_edits.h"
+#include "ui/theme.h"
+#include "ui/viewport/viewport.h"
+#include "ui/workspaces.h"
+
+using namespace mw;
+
+namespace {
+
+void settle(MainWindow& w)
+{
+    QElapsedTimer clock;
+    clock.start();
+    QTest::qWait(300);
+    while ((!w.evaluations().idle() || w.session().jobs.busy() || w.session().steps.seeking()) && clock.elapsed() < 120000) QTest::qWait(50);
+    QTest::qWait(500);
+}
+
+void shoot(MainWindow& w, const QString& folder, const QString& name)
+{
+    const QSize size = w.size();
+    const QString file = QString("%1/%2-%3x%4.png").arg(folder, name).arg(size.width()).arg(size.height());
+    w.grab().save(file);
+    std::printf("%s\n", qPrintable(file));
+}
+
+void heat(MainWindow& w, const char* query)
+{
+    w.session().view.colourBy = query;
+    w.session().view.touch();
+    settle(w);
+}
+
+void tour(MainWindow& w, const QString& folder, const QString& dragon)
+{
+    w.showWelcome();
+    settle(w);
+    shoot(w, folder, "welcome");
+    if (!dragon.isEmpty()) {
+        w.files().open(dragon);
+        settle(w);
+        shoot(w, folder, "dragon");
+        heat(w, "vertex-valence");
+        shoot(w, folder, "heat");
+        heat(w, "");
+    }
+    w.files().openScene(samples().front().make(), "Open Blossom");
+    settle(w);
+    const MeshId mesh = edits::activeMesh(w.session().document);
+    edits::addModifier(w.session().document, mesh, operation("decimate-quadric"), {{"ratio", 0.2}});
+    settle(w);
+    w.session().steps.open(operation("decimate-quadric"), w.session().document.selection().active(), w.session().document.scene().find(mesh)->base,
+                           checked(operation("decimate-quadric").parameters, {{"ratio", 0.2}}));
+    settle(w);
+    w.session().steps.seek(420);
+    settle(w);
+    w.viewport().frameAll(false);
+    settle(w);
+    shoot(w, folder, "stepping");
+    w.session().steps.close();
+    w.workspaces().change("Mesh");
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    const QString folder = qEnvironmentVariable("MESHWRIGHT_PICTURES", "pictures");
+    QDir().mkpath(folder);
+    prepareApplication();
+    QApplication app(argc, argv);
+    dressApplication(app);
+    QString dragon = qEnvironmentVariable("MESHWRIGHT_DATA") + "/meshes/large/dragon_871k.ply";
+    if (!QFile::exists(dragon)) dragon.clear();
+    for (const QSize& size : {QSize(1600, 1000), QSize(1280, 800)}) {
+        MainWindow w;
+        w.resize(size);
+        w.show();
+        if (!QTest::qWaitForWindowExposed(&w)) return 1;
+        tour(w, folder, dragon);
+        if (size.width() == 1600) {
+            applyTheme(app, Theme::Light);
+            MainWindow light;
+            light.resize(size);
+            light.show();
+            if (!QTest::qWaitForWindowExposed(&light)) return 1;
+            light.files().openScene(samples().front().make(), "Open Blossom");
+            settle(light);
+            heat(light, "vertex-valence");
+            shoot(light, folder, "light");
+            applyTheme(app, Theme::Dark);
+        }
+    }
+    return 0;
+}

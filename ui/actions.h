@@ -1,0 +1,49 @@
+// Every action of the window, made once and put into menus, buttons and the command search.
+#pragma once
+#include <QAction>
+#include <QList>
+
+#include "ui/session.h"
+
+class QMenuBar;
+class QMenu;
+
+namespace mw {
+
+class FileCommands;
+class Viewport;
+
+struct Actions {
+    Actions(Session& session, FileCommands& files, Viewport& viewport, QWidget* window, QWidget* viewArea);
+
+    QAction *open, *import, *save, *saveAs, *exportAs, *quit;
+    QAction *undo, *redo, *remove, *rename, *duplicate;
+    QAction *selectAll, *selectNone, *invert, *hide, *hideOthers, *showAll;
+    QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *picture, *resetCamera;
+    QAction *darkTheme, *lightTheme;
+    QList<QAction*> pickKinds, shadings, views, tools, addModifiers, addSources, stepThroughs;
+    QMenu* recent = nullptr;
+
+    /// Fills the bar; `windowMenu` gets its docks from the window. Help is left to the window, too.
+    void fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu);
+    QMenu* contextMenu(QWidget* parent) const;
+    /// Enabled or not, ticked or not, and the names of undo and redo.
+    void refresh();
+
+private:
+    QAction* make(const QString& text, const QString& icon, const QString& key, const QString& tip, std::function<void()> run, bool inView = false);
+    QAction* toggle(const QString& text, const QString& icon, const QString& key, const QString& tip, bool ViewOptions::*flag);
+    void makeEdit();
+    void makeSelect();
+    void makeView();
+    void makeCatalog();
+    void fillRecent();
+
+    Session& s_;
+    FileCommands& files_;
+    Viewport& viewport_;
+    QWidget *window_, *viewArea_;
+    std::vector<std::pair<QAction*, bool ViewOptions::*>> flags_;
+};
+
+}  // namespace mw

@@ -1,0 +1,84 @@
+#include "ui/banner.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+#include <QToolButton>
+
+#include "ui/theme.h"
+#include "ui/words.h"
+
+namespace mw {
+
+Banner::Banner(QWidget* parent) : QWidget(parent)
+{
+    setObjectName("banner");
+    setAttribute(Qt::WA_StyledBackground);
+    auto* box = new QVBoxLayout(this);
+    box->setContentsMargins(10, 5, 6, 5);
+    box->setSpacing(4);
+    auto* line = new QHBoxLayout;
+    icon_ = new QLabel(this);
+    text_ = new QLabel(this);
+    text_->setWordWrap(true);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    text_->setFocusPolicy(Qt::NoFocus);
+    more_ = new QPushButton(this);
+    more_->setFocusPolicy(Qt::TabFocus);
+    auto* close = new QToolButton(this);
+    close->setIcon(mw::icon("x", tokens().text2));
+    close->setAccessibleName("Close message");
+    close->setFocusPolicy(Qt::TabFocus);
+    list_ = new QLabel(this);
+    list_->setWordWrap(true);
+    list_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    list_->setFocusPolicy(Qt::NoFocus);
+    list_->setProperty("secondary", true);
+    line->addWidget(icon_);
+    line->addWidget(text_, 1);
+    line->addWidget(more_);
+    line->addWidget(close);
+    box->addLayout(line);
+    box->addWidget(list_);
+    timer_ = new QTimer(this);
+    timer_->setSingleShot(true);
+    connect(timer_, &QTimer::timeout, this, &QWidget::hide);
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    connect(more_, &QPushButton::clicked, this, [this] { list_->setVisible(!list_->isVisible()); });
+    hide();
+}
+
+QString Banner::text() const
+{
+    return text_->text();
+}
+
+void Banner::show(const QString& text, const char* iconName, const QColor& color)
+{
+    icon_->setPixmap(iconPixmap(iconName, color, 16, devicePixelRatioF()));
+    text_->setText(text);
+    list_->hide();
+    more_->hide();
+    timer_->stop();
+    QWidget::show();
+}
+
+void Banner::notice(const QString& text, const std::vector<Warning>& warnings)
+{
+    show(text, warnings.empty() ? "ok" : "warning", warnings.empty() ? tokens().success : tokens().warning);
+    if (warnings.empty()) return timer_->start(6000);
+    more_->setText(counted(warnings.size(), "warning", "warnings") + ": show");
+    more_->show();
+    QStringList lines;
+    for (size_t i = 0; i < warnings.size() && i < 12; ++i) lines << "· " + QString::fromStdString(warnings[i].text);
+    if (warnings.size() > 12) lines << QString("and %1 more").arg(warnings.size() - 12);
+    list_->setText(lines.join('\n'));
+}
+
+void Banner::trouble(const QString& text)
+{
+    show(text, "error", tokens().error);
+}
+
+}  // namespace mw

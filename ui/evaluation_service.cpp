@@ -1,0 +1,123 @@
+#include "ui/evaluation_service.h"
+
+namespace mw {
+namespace {
+
+bool sameInput(const MeshObject& a, const MeshObject& b)
+{
+    return a.base.positions().id() == b.base.positions().id() && a.base.cornerVertex().id() == b.base.cornerVertex().id() &&
+           a.base.faceStart().id() == b.base.faceStart().id() && a.base.attributes().size() == b.base.attributes().size() && a.stack == b.stack;
+}
+
+}  // namespace
+
+void warm(const Mesh& mesh)
+{
+    mesh.vertexNormals();
+    mesh.faceNormals();
+    mesh.triangulation();
+    mesh.edges();
+    mesh.bounds();
+}
+
+EvaluationService::EvaluationService(Document& document, Jobs& jobs, QObject* parent)
+    : QObject(parent), document_(document), jobs_(jobs), evaluator_(std::make_shared<Evaluator>())
+{
+    subscription_ = document_.subscribe([this](const Change& c) { follow(c); });
+    connect(&jobs_, &Jobs::changed, this, [this] { emit changed(); });
+}
+
+void EvaluationService::follow(const Change& change)
+{
+    if (change.aspects & Aspect::File && document_.history().size() == 1) {  // another document: its ids mean other things
+        for (auto& [id, r] : requests_)
+            if (r.running) jobs_.cancel(r.job);
+        requests_.clear();
+    }
+    if (paused_ || !(change.aspects & (Aspect::Mesh | Aspect::Stack | Aspect::Tree | Aspect::History | Aspect::File))) return;
+    for (MeshId id : document_.scene().meshes()) {
+        const auto object = document_.scene().shared(id);
+        const auto known = requests_.find(id);
+        if (known != requests_.end() && sameInput(*known->second.object, *object)) continue;
+        request(id, object);
+    }
+}
+
+void EvaluationService::request(MeshId id, std::shared_ptr<const MeshObject> object)
+{
+    Request& r = requests_[id];
+    if (r.running) jobs_.cancel(r.job);
+    r = {object, std::make_shared<std::atomic<size_t>>(0), 0, true, false, {}};
+    const QString name =
+        object->stack.empty() ? "Prepare " + QString::fromStdString(object->name) : "Evaluate " + QString::fromStdString(object->name);
+    r.job = jobs_.start(
+        name,
+        [this, id, object, level = r.level, evaluator = evaluator_](Progress& progress) -> std::function<void()> {
+            auto result = std::make_shared<Evaluation>(evaluator->evaluate(*object, &progress, [&](size_t l) { *level = l; }));
+            warm(result->result());
+            return [this, id, object, result] {
+                const auto known = requests_.find(id);
+                if (known == requests_.end() || known->second.object != object) return;
+                known->second.running = false;
+                document_.setEvaluation(id, result);
+                emit changed();
+            };
+        },
+        [this, id, object](const QString& error) {
+            const auto known = requests_.find(id);
+            if (known == requests_.end() || known->second.object != object) return;
+            known->second.running = false;
+            known->second.failure = error;
+            emit changed();
+        });
+    emit changed();
+}
+
+EvaluationService::State EvaluationService::state(MeshId id) const
+{
+    State s;
+    const auto known = requests_.find(id);
+    if (known == requests_.end()) return s;
+    const Request& r = known->second;
+    s.running = r.running;
+    s.cancelled = r.cancelled;
+    s.failure = r.failure;
+    s.level = *r.level;
+    for (const Job& j : jobs_.jobs())
+        if (j.id == r.job) {
+            s.fraction = j.progress->fraction;
+            s.elapsed = j.clock.elapsed();
+        }
+    return s;
+}
+
+void EvaluationService::cancel(MeshId id)
+{
+    const auto known = requests_.find(id);
+    if (known == requests_.end() || !known->second.running) return;
+    jobs_.cancel(known->second.job);
+    known->second.running = false;
+    known->second.cancelled = true;
+    emit changed();
+}
+
+void EvaluationService::again(MeshId id)
+{
+    if (const auto object = document_.scene().shared(id)) request(id, object);
+}
+
+void EvaluationService::setPaused(bool paused)
+{
+    paused_ = paused;
+    if (!paused) follow({Aspect::Stack, {}});
+    emit changed();
+}
+
+bool EvaluationService::idle() const
+{
+    for (const auto& [id, r] : requests_)
+        if (r.running) return false;
+    return true;
+}
+
+}  // namespace mw

@@ -1,0 +1,58 @@
+// Keeps the results of all modifier stacks up to date: listens to the document, evaluates on a worker, hands the result back.
+#pragma once
+#include <QObject>
+#include <atomic>
+#include <map>
+#include <memory>
+
+#include "core/scene/document.h"
+#include "ui/jobs.h"
+
+namespace mw {
+
+/// Makes what drawing needs (normals, triangles), so that the window's thread finds it ready.
+void warm(const Mesh& mesh);
+
+class EvaluationService : public QObject {
+    Q_OBJECT
+
+public:
+    EvaluationService(Document& document, Jobs& jobs, QObject* parent = nullptr);
+
+    struct State {
+        bool running = false, cancelled = false;
+        size_t level = 0;    ///< stack row that runs
+        float fraction = 0;  ///< of the whole stack
+        qint64 elapsed = 0;  ///< milliseconds
+        QString failure;     ///< of the job itself (memory)
+    };
+    State state(MeshId id) const;
+    void cancel(MeshId id);
+    void again(MeshId id);
+    void setPaused(bool paused);
+    bool paused() const { return paused_; }
+    bool idle() const;
+
+signals:
+    void changed();  ///< began, ended, cancelled, or ten times a second while it runs
+
+private:
+    struct Request {
+        std::shared_ptr<const MeshObject> object;
+        std::shared_ptr<std::atomic<size_t>> level;
+        quint64 job = 0;
+        bool running = false, cancelled = false;
+        QString failure;
+    };
+    void follow(const Change& change);
+    void request(MeshId id, std::shared_ptr<const MeshObject> object);
+
+    Document& document_;
+    Jobs& jobs_;
+    std::shared_ptr<Evaluator> evaluator_;
+    std::map<MeshId, Request> requests_;
+    std::shared_ptr<void> subscription_;
+    bool paused_ = false;
+};
+
+}  // namespace mw

@@ -1,0 +1,68 @@
+// The window: menus, toolbar, docks and the view around one document. Actions, docks and files have files of their own.
+#pragma once
+#include <QMainWindow>
+#include <memory>
+
+#include "ui/session.h"
+
+class QToolButton;
+
+namespace mw {
+
+class Banner;
+class EvaluationService;
+class FileCommands;
+class StatusStrip;
+class Viewport;
+class WelcomeCard;
+class Workspaces;
+struct Actions;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow();
+    ~MainWindow() override;
+
+    Session& session() { return session_; }
+    FileCommands& files() { return *files_; }
+    Viewport& viewport() { return *viewport_; }
+    Workspaces& workspaces() { return *workspaces_; }
+    Banner& banner() { return *banner_; }
+    EvaluationService& evaluations() { return *evaluations_; }
+    void showWelcome();  ///< the scene the program makes, and the card over it
+
+protected:
+    void closeEvent(QCloseEvent* e) override;
+    void dragEnterEvent(QDragEnterEvent* e) override;
+    void dropEvent(QDropEvent* e) override;
+    void showEvent(QShowEvent* e) override;
+
+private:
+    void makeCentre();
+    void makeMenus();
+    void makeToolBar();
+    void listen();
+    void refreshTitle();
+    void searchCommands();
+
+    Document document_;
+    std::unique_ptr<Jobs> jobs_;
+    std::unique_ptr<ViewState> view_;
+    std::unique_ptr<StepSession> steps_;
+    std::unique_ptr<EvaluationService> evaluations_;
+    Session session_;
+    std::unique_ptr<Actions> actions_;
+    FileCommands* files_ = nullptr;
+    Workspaces* workspaces_ = nullptr;
+    Viewport* viewport_ = nullptr;
+    Banner* banner_ = nullptr;
+    StatusStrip* status_ = nullptr;
+    WelcomeCard* welcome_ = nullptr;
+    QWidget *header_ = nullptr, *centre_ = nullptr, *search_ = nullptr;
+    std::shared_ptr<void> subscription_;
+    bool closing_ = false;
+};
+
+}  // namespace mw

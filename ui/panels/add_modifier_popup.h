@@ -1,0 +1,13 @@
+// The searchable list of modifiers, by category, with a line about each.
+#pragma once
+#include <QFrame>
+#include <functional>
+
+#include "core/catalog/catalog.h"
+
+namespace mw {
+
+/// Opens below `anchor`; `chosen` is called with the operation picked.
+QFrame* showAddModifierPopup(QWidget* anchor, std::function<void(const Operation&)> chosen);
+
+}  // namespace mw

@@ -1,0 +1,225 @@
+#include "ui/panels/outliner.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QSortFilterProxyModel>
+#include <QStandardItemModel>
+#include <QTimer>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include "ui/panels/empty_state.h"
+#include "ui/stack_edits.h"
+#include "ui/theme.h"
+#include "ui/words.h"
+
+namespace mw {
+namespace {
+
+enum Columns { NameColumn, CountColumn, EyeColumn, ColumnCount };
+constexpr int nodeRole = Qt::UserRole + 1;
+
+// Enter frames, everything else as a tree does.
+class Tree : public QTreeView {
+public:
+    explicit Tree(QWidget* parent) : QTreeView(parent) {}
+    std::function<void()> enter;
+    void keyboardSearch(const QString&) override {}  // the filter field does it
+
+protected:
+    void keyPressEvent(QKeyEvent* e) override
+    {
+        if ((e->key() == Qt::Key_Return || e->key() == Qt::Key_Enter) && state() != EditingState && enter)
+            enter();
+        else
+            QTreeView::keyPressEvent(e);
+    }
+};
+
+class Outliner : public QWidget {
+public:
+    Outliner(Session& session, QWidget* parent) : QWidget(parent), session_(session)
+    {
+        auto* box = new QVBoxLayout(this);
+        box->setContentsMargins(8, 8, 8, 0);
+        box->setSpacing(6);
+        filter_ = new QLineEdit(this);
+        filter_->setPlaceholderText("Filter nodes");
+        filter_->setClearButtonEnabled(true);
+        filter_->addAction(icon("search", tokens().text2), QLineEdit::LeadingPosition);
+        tree_ = new Tree(this);
+        model_ = new QStandardItemModel(0, ColumnCount, this);
+        proxy_ = new QSortFilterProxyModel(this);
+        empty_ = emptyStateLabel("The scene is empty. Open a file or drop one on the view.", this);
+        box->addWidget(filter_);
+        box->addWidget(empty_);
+        box->addWidget(tree_, 1);
+        setUpTree();
+        subscription_ = session_.document.subscribe([this](const Change& c) {
+            if (c.aspects & (Aspect::Tree | Aspect::Mesh | Aspect::Stack | Aspect::Evaluation | Aspect::File)) rebuildSoon();
+            if (c.aspects & (Aspect::Selection | Aspect::History)) showSelection();
+        });
+        rebuild();
+    }
+
+private:
+    void setUpTree()
+    {
+        proxy_->setSourceModel(model_);
+        proxy_->setRecursiveFilteringEnabled(true);
+        proxy_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+        tree_->setModel(proxy_);
+        tree_->setHeaderHidden(true);
+        tree_->setAccessibleName("Nodes of the scene");
+        tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+        tree_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+        tree_->setIndentation(14);
+        tree_->setUniformRowHeights(true);
+        tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+        auto* header = tree_->header();
+        header->setStretchLastSection(false);
+        header->setMinimumSectionSize(24);
+        header->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
+        header->setSectionResizeMode(CountColumn, QHeaderView::ResizeToContents);
+        header->setSectionResizeMode(EyeColumn, QHeaderView::Fixed);
+        header->resizeSection(EyeColumn, 28);
+        connect(filter_, &QLineEdit::textChanged, this, [this](const QString& t) {
+            proxy_->setFilterFixedString(t);
+            tree_->expandAll();
+        });
+        connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& i) {
+            if (i.column() != EyeColumn) return;
+            const NodeId id = nodeAt(i);
+            edits::setVisible(session_.document, {id}, !session_.document.scene().node(id).visible);
+        });
+        connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { takeSelection(); });
+        connect(model_, &QStandardItemModel::itemChanged, this, [this](QStandardItem* item) {
+            if (!filling_ && item->column() == NameColumn) edits::rename(session_.document, {item->data(nodeRole).toUInt()}, item->text());
+        });
+        connect(tree_, &QTreeView::customContextMenuRequested, this, [this](const QPoint& p) { menu(tree_->viewport()->mapToGlobal(p)); });
+        tree_->enter = [this] { session_.view.frameNodes(session_.document.selection().nodes); };
+    }
+
+    NodeId nodeAt(const QModelIndex& i) const { return {i.siblingAtColumn(NameColumn).data(nodeRole).toUInt()}; }
+
+    void rebuildSoon()
+    {
+        if (pending_) return;
+        pending_ = true;
+        QTimer::singleShot(0, this, [this] { rebuild(); });
+    }
+
+    QList<QStandardItem*> rowOf(NodeId id)
+    {
+        const Node& n = session_.document.scene().node(id);
+        auto* name = new QStandardItem(icon(n.mesh ? "mesh" : "tree"), QString::fromStdString(n.name.empty() ? "Node" : n.name));
+        auto* counts = new QStandardItem(n.mesh ? countsText(session_.document.shownMesh(n.mesh)) : QString());
+        auto* eye = new QStandardItem(icon(n.visible ? "eye" : "eye-off", n.visible ? QColor() : tokens().text3), QString());
+        name->setData(id.value, nodeRole);
+        name->setEditable(true);
+        counts->setEditable(false);
+        counts->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        eye->setEditable(false);
+        eye->setToolTip(n.visible ? "Hide (H)" : "Show (H)");
+        eye->setData(n.visible ? "shown" : "hidden", Qt::AccessibleTextRole);
+        if (!n.visible) name->setForeground(tokens().text3);
+        if (n.mesh && session_.document.scene().users(n.mesh) > 1)
+            name->setToolTip(QString("%1 nodes show this mesh").arg(session_.document.scene().users(n.mesh)));
+        for (NodeId child : n.children) name->appendRow(rowOf(child));
+        return {name, counts, eye};
+    }
+
+    void rebuild()
+    {
+        pending_ = false;
+        filling_ = true;
+        model_->removeRows(0, model_->rowCount());
+        for (NodeId id : session_.document.scene().roots()) model_->appendRow(rowOf(id));
+        tree_->expandAll();
+        filling_ = false;
+        const bool any = model_->rowCount() > 0;
+        empty_->setVisible(!any);
+        tree_->setVisible(any);
+        filter_->setEnabled(any);
+        showSelection();
+    }
+
+    void visit(const QModelIndex& parent, const std::function<void(const QModelIndex&)>& f)
+    {
+        for (int r = 0; r < proxy_->rowCount(parent); ++r) {
+            const QModelIndex i = proxy_->index(r, 0, parent);
+            f(i);
+            visit(i, f);
+        }
+    }
+
+    void showSelection()
+    {
+        filling_ = true;
+        const Selection& s = session_.document.selection();
+        tree_->selectionModel()->clearSelection();
+        visit({}, [&](const QModelIndex& i) {
+            if (!s.has(nodeAt(i))) return;
+            tree_->selectionModel()->select(i, QItemSelectionModel::Select | QItemSelectionModel::Rows);
+            if (nodeAt(i) == s.active()) {
+                tree_->selectionModel()->setCurrentIndex(i, QItemSelectionModel::NoUpdate);
+                tree_->scrollTo(i);
+            }
+        });
+        filling_ = false;
+    }
+
+    void takeSelection()
+    {
+        if (filling_) return;
+        std::vector<NodeId> nodes;
+        const NodeId current = nodeAt(tree_->currentIndex());
+        for (const QModelIndex& i : tree_->selectionModel()->selectedRows())
+            if (nodeAt(i) != current) nodes.push_back(nodeAt(i));
+        if (tree_->selectionModel()->isRowSelected(tree_->currentIndex().row(), tree_->currentIndex().parent())) nodes.push_back(current);
+        session_.document.select({nodes, {}, {}});
+    }
+
+    void menu(const QPoint& at)
+    {
+        const auto nodes = session_.document.selection().nodes;
+        if (nodes.empty()) return;
+        auto* m = new QMenu(this);
+        m->setAttribute(Qt::WA_DeleteOnClose);
+        const bool shown = session_.document.scene().node(nodes.back()).visible;
+        m->addAction(icon("frame"), "Frame", this, [this, nodes] { session_.view.frameNodes(nodes); });
+        m->addAction("Rename", this, [this] { tree_->edit(tree_->currentIndex().siblingAtColumn(NameColumn)); });
+        m->addAction(shown ? "Hide" : "Show", this, [this, nodes, shown] { edits::setVisible(session_.document, nodes, !shown); });
+        m->addSeparator();
+        m->addAction("Delete", this, [this, nodes] { edits::removeNodes(session_.document, nodes); });
+        m->popup(at);
+    }
+
+    void keyPressEvent(QKeyEvent* e) override
+    {
+        if (e->key() == Qt::Key_Delete)
+            edits::removeNodes(session_.document, session_.document.selection().nodes);
+        else
+            QWidget::keyPressEvent(e);
+    }
+
+    Session& session_;
+    QLineEdit* filter_;
+    Tree* tree_;
+    QLabel* empty_;
+    QStandardItemModel* model_;
+    QSortFilterProxyModel* proxy_;
+    std::shared_ptr<void> subscription_;
+    bool filling_ = false, pending_ = false;
+};
+
+}  // namespace
+
+QWidget* makeOutlinerPanel(Session& session, QWidget* parent)
+{
+    return new Outliner(session, parent);
+}
+
+}  // namespace mw

@@ -1,0 +1,73 @@
+// A form made from parameter descriptions: nobody writes a widget for a number. Live while it is changed, one commit when it is done.
+#pragma once
+#include <QDoubleSpinBox>
+#include <QTimer>
+#include <QWidget>
+#include <functional>
+
+#include "core/catalog/parameters.h"
+
+class QGridLayout;
+class QLabel;
+class QSlider;
+
+namespace mw {
+
+/// A spin box that leaves the wheel to the page unless it has the focus, and shows no needless zeros.
+class NumberBox : public QDoubleSpinBox {
+    Q_OBJECT
+
+public:
+    explicit NumberBox(QWidget* parent = nullptr);
+    QString textFromValue(double v) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString&, int&) const override { return QValidator::Acceptable; }
+    bool integral = false;
+
+signals:
+    void outOfRange(bool out);
+
+protected:
+    void wheelEvent(QWheelEvent* e) override;
+};
+
+class ParameterForm : public QWidget {
+    Q_OBJECT
+
+public:
+    ParameterForm(std::vector<Parameter> parameters, ParameterValues values, QWidget* parent = nullptr);
+    void setValues(const ParameterValues& values);  ///< from outside: undo, another selection; not while something is being dragged
+    const ParameterValues& values() const { return values_; }
+    bool editing() const { return editing_ || debounce_.isActive(); }
+    QWidget* field(const QString& name) const;  ///< the spin box, check box, combo or text field of a parameter
+
+signals:
+    void edited(const mw::ParameterValues& values);                          ///< on the way, at most every 120 ms
+    void committed(const mw::ParameterValues& values, const QString& what);  ///< done: "faces 20,000"
+
+private:
+    struct Row {
+        Parameter parameter;
+        QLabel* label = nullptr;
+        QWidget *editor = nullptr, *field = nullptr;
+        std::function<void(const ParameterValue&)> show;
+    };
+    void makeRow(Row& row);
+    QWidget* numberEditor(Row& row);
+    QWidget* choiceEditor(Row& row);
+    QWidget* pointEditor(Row& row);
+    QWidget* textEditor(Row& row);
+    void change(const Parameter& p, ParameterValue v, bool done);
+    void refresh();
+    bool eventFilter(QObject* o, QEvent* e) override;
+
+    std::vector<Row> rows_;
+    ParameterValues values_;
+    QTimer debounce_;
+    bool editing_ = false, showing_ = false;
+};
+
+/// "faces 20,000": for the name of a history entry.
+QString valueText(const Parameter& p, const ParameterValue& v);
+
+}  // namespace mw

@@ -1,0 +1,163 @@
+#include "ui/view_header.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include "ui/actions.h"
+#include "ui/stack_edits.h"
+#include "ui/theme.h"
+#include "ui/viewport/viewport.h"
+
+namespace mw {
+namespace {
+
+QToolButton* buttonOf(QAction* action, QWidget* parent, int size = 28)
+{
+    auto* b = new QToolButton(parent);
+    b->setDefaultAction(action);
+    b->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    b->setFixedSize(size + 2, size - 2);
+    b->setFocusPolicy(Qt::TabFocus);
+    b->setAccessibleName(action->text());
+    return b;
+}
+
+QFrame* bar(QWidget* parent)
+{
+    auto* line = new QFrame(parent);
+    line->setFixedSize(1, 20);
+    line->setStyleSheet("background: " + tokens().border.name());
+    return line;
+}
+
+QComboBox* colourBy(Session& session, QWidget* parent)
+{
+    auto* combo = new QComboBox(parent);
+    combo->setObjectName("colourBy");
+    combo->setAccessibleName("Colour by");
+    combo->setMinimumWidth(150);
+    combo->setFocusPolicy(Qt::TabFocus);
+    combo->addItem("Material", QString());
+    for (const Operation& op : catalog())
+        if (op.accepts == Kind::Mesh && op.yields == Kind::Table) {
+            combo->addItem(QString::fromStdString(op.title), QString::fromStdString(op.id));
+            combo->setItemData(combo->count() - 1, QString::fromStdString(op.summary), Qt::ToolTipRole);
+        }
+    combo->setToolTip("What the colours of meshes say");
+    QObject::connect(combo, &QComboBox::currentIndexChanged, combo, [&session, combo] {
+        session.view.colourBy = combo->currentData().toString();
+        session.view.touch();
+    });
+    QObject::connect(&session.view, &ViewState::changed, combo, [&session, combo] {
+        const QSignalBlocker quiet(combo);
+        combo->setCurrentIndex(std::max(0, combo->findData(session.view.colourBy)));
+    });
+    return combo;
+}
+
+}  // namespace
+
+QWidget* makeViewHeader(Session& session, Viewport& viewport, Actions& a, QWidget* parent)
+{
+    auto* header = new QWidget(parent);
+    header->setObjectName("viewHeader");
+    header->setAttribute(Qt::WA_StyledBackground);
+    header->setFixedHeight(34);
+    auto* line = new QHBoxLayout(header);
+    line->setContentsMargins(8, 0, 8, 0);
+    line->setSpacing(2);
+    for (QAction* action : a.pickKinds) line->addWidget(buttonOf(action, header));
+    line->addSpacing(6);
+    line->addWidget(bar(header));
+    line->addSpacing(6);
+    for (QAction* action : a.shadings) line->addWidget(buttonOf(action, header));
+    line->addWidget(buttonOf(a.wireOverlay, header));
+    line->addSpacing(6);
+    line->addWidget(bar(header));
+    line->addSpacing(8);
+    line->addWidget(new QLabel("Colour by", header));
+    line->addSpacing(4);
+    line->addWidget(colourBy(session, header));
+    line->addStretch(1);
+    auto* camera = new QComboBox(header);
+    camera->setAccessibleName("Camera");
+    camera->setFocusPolicy(Qt::TabFocus);
+    camera->addItems({"Perspective", "Parallel", "Front", "Right", "Top", "Back", "Left", "Bottom"});
+    QObject::connect(camera, &QComboBox::activated, camera, [&session, &viewport, camera](int i) {
+        if (i < 2) {
+            session.view.camera.perspective = i == 0;
+            session.view.touch();
+        } else {
+            viewport.lookFrom(camera->itemText(i).toLower());
+        }
+        camera->setCurrentIndex(session.view.camera.perspective ? 0 : 1);
+    });
+    QObject::connect(&session.view, &ViewState::changed, camera,
+                     [&session, camera] { camera->setCurrentIndex(session.view.camera.perspective ? 0 : 1); });
+    line->addWidget(camera);
+    line->addWidget(buttonOf(a.frameSelection, header));
+    line->addWidget(buttonOf(a.picture, header));
+    return header;
+}
+
+QWidget* makeToolStrip(Actions& a, QWidget* parent)
+{
+    auto* strip = new QWidget(parent);
+    strip->setObjectName("toolStrip");
+    strip->setAttribute(Qt::WA_StyledBackground);
+    strip->setFixedWidth(38);
+    auto* box = new QVBoxLayout(strip);
+    box->setContentsMargins(4, 6, 4, 6);
+    for (QAction* action : a.tools) {
+        auto* b = buttonOf(action, strip, 30);
+        b->setFixedSize(30, 30);
+        b->setIconSize({20, 20});
+        box->addWidget(b);
+    }
+    box->addStretch(1);
+    return strip;
+}
+
+QWidget* makeLevelHud(Session& session, QWidget* parent)
+{
+    auto* hud = new QFrame(parent);
+    hud->setObjectName("hud");
+    auto* line = new QHBoxLayout(hud);
+    line->setContentsMargins(10, 4, 6, 4);
+    auto* eye = new QLabel(hud);
+    eye->setPixmap(iconPixmap("eye", tokens().accentText, 16, hud->devicePixelRatioF()));
+    auto* text = new QLabel(hud);
+    auto* back = new QPushButton("Show result", hud);
+    back->setFocusPolicy(Qt::TabFocus);
+    line->addWidget(eye);
+    line->addWidget(text);
+    line->addWidget(back);
+    const auto refresh = [&session, hud, text] {
+        const MeshId mesh = edits::activeMesh(session.document);
+        const auto level = session.view.shownLevel.find(mesh);
+        const MeshObject* object = session.document.scene().find(mesh);
+        const bool other = object && level != session.view.shownLevel.end() && level->second < object->stack.size() && !session.steps.isOpen();
+        hud->setVisible(other);
+        if (!other) return;
+        const QString name = level->second == 0 ? "Base mesh" : edits::titleOf(object->stack[level->second - 1]);
+        text->setText(QString("Showing <b>%1</b>, level %2 of %3").arg(name.toHtmlEscaped()).arg(level->second).arg(object->stack.size()));
+        hud->adjustSize();
+        hud->move(12, 12);
+    };
+    QObject::connect(back, &QPushButton::clicked, hud, [&session] {
+        session.view.shownLevel.erase(edits::activeMesh(session.document));
+        session.view.touch();
+    });
+    QObject::connect(&session.view, &ViewState::changed, hud, refresh);
+    hud->setProperty("token", QVariant::fromValue(session.document.subscribe([refresh](const Change&) { refresh(); })));
+    refresh();
+    return hud;
+}
+
+}  // namespace mw

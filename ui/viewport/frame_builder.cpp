@@ -1,0 +1,88 @@
+#include "ui/viewport/frame_builder.h"
+
+#include "render/colors.h"
+
+namespace mw {
+namespace {
+
+void markSelection(const Session& s, Frame& frame)
+{
+    const Selection& selection = s.document.selection();
+    if (s.steps.isOpen()) return;  // hidden while stepping: the focus speaks
+    for (DrawObject& o : frame.objects) {
+        o.selected = selection.has(o.node) && s.view.pickKind == PickKind::Object && selection.elements.indices.empty();
+        o.hovered = s.view.hovered == o.node && s.view.pickKind == PickKind::Object;
+        if (s.view.dimOthers) o.dimmed = o.node != selection.elementsOf;
+    }
+    if (!selection.elementsOf || selection.elements.indices.empty()) return;
+    Mark m;
+    m.node = selection.elementsOf;
+    m.kind = selection.elements.kind;
+    m.indices = selection.elements.indices;
+    m.color = glm::vec4(selectedColor, m.kind == ElementKind::Face ? 0.45f : 1.f);
+    m.width = m.kind == ElementKind::Vertex ? 8.f : 2.f;
+    frame.marks.push_back(std::move(m));
+}
+
+void markFocus(const Session& s, Frame& frame)
+{
+    for (DrawObject& o : frame.objects) {
+        if (o.node != s.steps.node()) continue;
+        const Value* value = s.steps.value();
+        if (const Mesh* mesh = value ? std::get_if<Mesh>(value) : nullptr) o.mesh = *mesh;
+        o.heat = nullptr;
+        addFocus(s.steps.step(), o.mesh, o.node, o.worldFromLocal, frame.marks, frame.points, frame.labels);
+    }
+}
+
+}  // namespace
+
+Mesh shownMesh(const Session& session, MeshId id)
+{
+    const auto evaluation = session.document.evaluation(id);
+    const auto level = session.view.shownLevel.find(id);
+    if (level != session.view.shownLevel.end()) {
+        if (level->second == 0) return session.document.scene().find(id)->base;
+        if (evaluation && level->second <= evaluation->levels.size()) return evaluation->at(level->second);
+    }
+    return session.document.shownMesh(id);
+}
+
+Frame buildFrame(const Session& session, HeatService& heats)
+{
+    Frame frame = frameOf(session.document.scene(), [&](MeshId id) { return shownMesh(session, id); });
+    frame.camera = session.view.camera;
+    frame.options = session.view.options;
+    const Operation* query = session.view.colourBy.isEmpty() ? nullptr : findOperation(session.view.colourBy.toStdString());
+    if (query && !session.steps.isOpen())
+        for (DrawObject& o : frame.objects) o.heat = heats.heat(*query, o.mesh);
+    markSelection(session, frame);
+    frame.marks.insert(frame.marks.end(), session.view.flashes.begin(), session.view.flashes.end());
+    if (session.steps.isOpen()) markFocus(session, frame);
+    return frame;
+}
+
+std::optional<Mark> hoverMark(const Pick& pick, PickKind kind)
+{
+    Mark m;
+    m.node = pick.node;
+    m.color = glm::vec4(1);
+    m.width = 1.5f;
+    if (kind == PickKind::Vertex && pick.vertex != none) {
+        m.kind = ElementKind::Vertex;
+        m.width = 7;
+        m.indices = {pick.vertex};
+    } else if (kind == PickKind::Edge && pick.edge.x != none) {
+        m.kind = ElementKind::Edge;
+        m.indices = {pick.edge.x, pick.edge.y};
+    } else if (kind == PickKind::Face && pick.face != none) {
+        m.kind = ElementKind::Face;
+        m.color.a = 0.3f;
+        m.indices = {pick.face};
+    } else {
+        return std::nullopt;
+    }
+    return m;
+}
+
+}  // namespace mw

@@ -1,0 +1,35 @@
+// Tables that colour meshes: a query operation run as a job for each mesh shown, kept while that mesh is.
+#pragma once
+#include <QObject>
+#include <list>
+#include <memory>
+
+#include "core/catalog/catalog.h"
+#include "render/renderer.h"
+#include "ui/jobs.h"
+
+namespace mw {
+
+class HeatService : public QObject {
+    Q_OBJECT
+
+public:
+    HeatService(Jobs& jobs, QObject* parent = nullptr) : QObject(parent), jobs_(jobs) {}
+    /// Null while it is being computed; ready() follows. Failed ones stay null and their text is said once by failed().
+    std::shared_ptr<const HeatMap> heat(const Operation& query, const Mesh& mesh);
+
+signals:
+    void ready();
+    void failed(const QString& text);
+
+private:
+    struct Entry {
+        const Operation* query;
+        Mesh mesh;
+        std::shared_ptr<const HeatMap> heat;
+    };
+    Jobs& jobs_;
+    std::list<Entry> entries_;  // most recent first
+};
+
+}  // namespace mw

@@ -1,0 +1,206 @@
+#include "ui/viewport/viewport.h"
+
+#include <QOpenGLContext>
+#include <QWindow>
+#include <cmath>
+
+namespace mw {
+
+Viewport::Viewport(Session& session, QWidget* parent)
+    : QOpenGLWidget(parent), session_(session), heats_(session.jobs), band_(new QRubberBand(QRubberBand::Rectangle, this))
+{
+    setObjectName("viewport");
+    setAccessibleName("View");
+    setAccessibleDescription("The scene. Click picks, drag orbits.");
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(240, 180);
+    subscription_ = session_.document.subscribe([this](const Change&) { refresh(); });
+    connect(&session_.view, &ViewState::changed, this, &Viewport::refresh);
+    connect(&session_.view, &ViewState::frameRequested, this, [this](const std::vector<NodeId>& nodes) { showFrame(boundsOfNodes(nodes), true); });
+    connect(&session_.view, &ViewState::boundsRequested, this, [this](const Bounds& b) { showFrame(b, true); });
+    connect(&session_.steps, &StepSession::changed, this, &Viewport::refresh);
+    connect(&session_.steps, &StepSession::opened, this, &Viewport::refresh);
+    connect(&session_.steps, &StepSession::closed, this, &Viewport::refresh);
+    connect(&heats_, &HeatService::ready, this, &Viewport::refresh);
+    connect(&heats_, &HeatService::failed, this, &Viewport::failed);
+    hoverTimer_.setSingleShot(true);
+    hoverTimer_.setInterval(30);
+    connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::hover);
+    flight_.setDuration(180);
+    flight_.setStartValue(0.0);
+    flight_.setEndValue(1.0);
+    flight_.setEasingCurve(QEasingCurve::OutCubic);
+}
+
+Viewport::~Viewport()
+{
+    makeCurrent();
+    renderer_.reset();
+    doneCurrent();
+}
+
+void Viewport::initializeGL()
+{
+    // With shared contexts a floated window keeps the context; when the platform made a new one anyway, everything is uploaded again.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+        makeCurrent();
+        renderer_.reset();
+        doneCurrent();
+    });
+    try {
+        renderer_ = std::make_unique<Renderer>();
+    } catch (const std::exception& e) {
+        emit failed(QString::fromUtf8(e.what()));
+    }
+}
+
+void Viewport::refresh()
+{
+    stale_ = true;
+    if (!session_.view.hovered && session_.steps.isOpen()) hoverMark_.reset();
+    update();
+}
+
+const Frame& Viewport::frame()
+{
+    if (!stale_) return frame_;
+    stale_ = false;
+    frame_ = buildFrame(session_, heats_);
+    frame_.options.pixelRatio = devicePixelRatioF();
+    return frame_;
+}
+
+void Viewport::paintGL()
+{
+    if (!renderer_) return;
+    ++framesDrawn_;
+    frame();
+    const Bounds bounds = boundsOf(frame_);
+    session_.view.camera.fitClip(bounds);
+    frame_.camera = session_.view.camera;
+    const size_t marks = frame_.marks.size();
+    if (hoverMark_ && !session_.steps.isOpen()) frame_.marks.push_back(*hoverMark_);
+    try {
+        renderer_->draw(frame_, defaultFramebufferObject(), deviceSize());
+    } catch (const std::exception& e) {
+        emit failed(QString::fromUtf8(e.what()));
+        renderer_.reset();
+    }
+    frame_.marks.resize(marks);
+}
+
+glm::ivec2 Viewport::deviceSize() const
+{
+    const double r = devicePixelRatioF();
+    return {int(std::lround(width() * r)), int(std::lround(height() * r))};
+}
+
+std::optional<Pick> Viewport::pickAt(QPointF at)
+{
+    if (!renderer_ || !rect().contains(at.toPoint())) return std::nullopt;
+    frame();
+    frame_.camera = session_.view.camera;
+    makeCurrent();
+    const double r = devicePixelRatioF();
+    const auto pick = renderer_->pick(frame_, deviceSize(), {at.x() * r, at.y() * r});
+    doneCurrent();
+    return pick;
+}
+
+Bounds Viewport::boundsOfNodes(const std::vector<NodeId>& nodes)
+{
+    if (nodes.empty()) return boundsOf(frame());
+    Frame part;
+    for (const DrawObject& o : frame().objects)
+        for (NodeId n : nodes) {
+            NodeId up = o.node;
+            while (up && up != n) up = session_.document.scene().node(up).parent;
+            if (up == n) part.objects.push_back(o);
+        }
+    return boundsOf(part);
+}
+
+void Viewport::frameAll(bool fly)
+{
+    showFrame(boundsOf(frame()), fly);
+}
+
+void Viewport::frameSelection()
+{
+    const Selection& s = session_.document.selection();
+    if (s.elementsOf && !s.elements.indices.empty()) {
+        for (const DrawObject& o : frame().objects) {
+            if (o.node != s.elementsOf) continue;
+            Bounds b;
+            const auto add = [&](uint32_t v) {
+                if (v < o.mesh.vertexCount()) b.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(o.mesh.positions()[v]), 1)));
+            };
+            for (uint32_t i : s.elements.indices)
+                if (s.elements.kind != ElementKind::Face) {
+                    add(i);
+                } else if (i < o.mesh.faceCount()) {
+                    for (uint32_t v : o.mesh.face(i)) add(v);
+                }
+            if (!b.empty && b.diagonal() == 0) {  // a single point: some of what is round it
+                const double reach = 0.03 * boundsOf(frame()).diagonal();
+                b.add(b.min - glm::dvec3(reach));
+                b.add(b.max + glm::dvec3(reach));
+            }
+            return showFrame(b, true);
+        }
+    }
+    showFrame(boundsOfNodes(s.nodes), true);
+}
+
+void Viewport::showFrame(const Bounds& bounds, bool fly)
+{
+    if (bounds.empty) return;
+    Camera to = session_.view.camera;
+    to.frame(bounds, double(width()) / std::max(1, height()));
+    if (fly) return flyTo(to);
+    session_.view.camera = to;
+    update();
+}
+
+void Viewport::flyTo(const Camera& to)
+{
+    flight_.stop();
+    flight_.disconnect(this);
+    const Camera from = session_.view.camera;
+    connect(&flight_, &QVariantAnimation::valueChanged, this, [this, from, to](const QVariant& v) {
+        const double t = v.toDouble();
+        Camera& c = session_.view.camera;
+        c = to;
+        if (t < 1) {
+            c.target = glm::mix(from.target, to.target, t);
+            c.distance = std::exp(glm::mix(std::log(from.distance), std::log(to.distance), t));
+            c.azimuth = from.azimuth + t * std::remainder(to.azimuth - from.azimuth, 2 * M_PI);
+            c.elevation = glm::mix(from.elevation, to.elevation, t);
+        }
+        update();
+        if (t >= 1) emit cameraMoved();
+    });
+    flight_.start();
+}
+
+void Viewport::lookFrom(const QString& view)
+{
+    static const std::map<QString, QString> opposite{{"front", "back"}, {"right", "left"}, {"top", "bottom"}};
+    Camera to = session_.view.camera;
+    setView(to, view.toStdString());
+    const Camera& now = session_.view.camera;
+    const auto same = [](double a, double b) { return std::abs(std::remainder(a - b, 2 * M_PI)) < 1e-6; };
+    if (const auto other = opposite.find(view); other != opposite.end() && same(now.azimuth, to.azimuth) && same(now.elevation, to.elevation))
+        setView(to, other->second.toStdString());
+    flyTo(to);
+}
+
+void Viewport::setBoxTool(bool on)
+{
+    boxTool_ = on;
+    setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+    say({});
+}
+
+}  // namespace mw

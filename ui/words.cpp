@@ -1,0 +1,42 @@
+#include "ui/words.h"
+
+#include <QLocale>
+
+namespace mw {
+
+QString grouped(size_t n)
+{
+    return QLocale(QLocale::English).toString(qulonglong(n));
+}
+
+QString counted(size_t n, const QString& one, const QString& many)
+{
+    return grouped(n) + ' ' + (n == 1 ? one : many);
+}
+
+QString timeText(double seconds)
+{
+    if (seconds < 0.0005) return "0 ms";
+    if (seconds < 1) return QString::number(seconds * 1000, 'f', 0) + " ms";
+    return QString::number(seconds, 'f', seconds < 10 ? 1 : 0) + " s";
+}
+
+QString countsText(const Mesh& mesh)
+{
+    return mesh.faceCount() ? grouped(mesh.faceCount()) + " F" : grouped(mesh.vertexCount()) + " V";
+}
+
+QString elementsText(const ElementSet& set)
+{
+    const size_t n = set.kind == ElementKind::Edge ? set.indices.size() / 2 : set.indices.size();
+    switch (set.kind) {
+        case ElementKind::Vertex:
+            return counted(n, "vertex", "vertices") + " selected";
+        case ElementKind::Edge:
+            return counted(n, "edge", "edges") + " selected";
+        default:
+            return counted(n, "face", "faces") + " selected";
+    }
+}
+
+}  // namespace mw

@@ -1,0 +1,197 @@
+#include "ui/workspaces.h"
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSettings>
+#include <QTimer>
+#include <QToolButton>
+
+#include "ui/panel.h"
+#include "ui/theme.h"
+
+namespace mw {
+namespace {
+
+constexpr int layoutVersion = 2;
+
+struct Cell {
+    Qt::DockWidgetArea area;
+    QStringList tabs;  // the first one is in front
+    int height;        // 0: takes the rest
+    int width;
+};
+
+// The table of ui/UI.md 1; panels that do not exist are passed over.
+QList<Cell> cellsOf(const QString& workspace, bool narrow)
+{
+    const auto left = Qt::LeftDockWidgetArea, right = Qt::RightDockWidgetArea, bottom = Qt::BottomDockWidgetArea;
+    if (workspace == "Learn") {
+        if (narrow)
+            return {{left, {"lessons", "outliner", "lesson-text"}, 0, 276},
+                    {right, {"step-player", "inspector"}, 0, 340},
+                    {bottom, {"source", "plot"}, 200, 0}};
+        return {{left, {"lessons", "outliner"}, 456, 292},
+                {left, {"lesson-text"}, 0, 292},
+                {right, {"step-player", "inspector"}, 0, 392},
+                {bottom, {"source"}, 250, 0},
+                {bottom, {"plot"}, 250, 368}};
+    }
+    if (narrow)
+        return {{left, {"outliner", "history"}, 200, 276}, {left, {"inspector"}, 0, 276}, {right, {"modifiers", "properties", "jobs"}, 0, 336}};
+    return {{left, {"outliner"}, 214, 304},
+            {left, {"inspector"}, 0, 304},
+            {right, {"modifiers", "properties"}, 0, 356},
+            {right, {"history", "jobs"}, 176, 356}};
+}
+
+QWidget* titleBar(QDockWidget* dock)
+{
+    auto* bar = new QWidget(dock);
+    bar->setObjectName("dockTitle");
+    bar->setAttribute(Qt::WA_StyledBackground);
+    bar->setFixedHeight(28);
+    auto* line = new QHBoxLayout(bar);
+    line->setContentsMargins(10, 0, 4, 0);
+    line->addWidget(new QLabel("<b>" + dock->windowTitle() + "</b>", bar), 1);
+    auto* menu = new QToolButton(bar);
+    menu->setIcon(icon("dots", tokens().text2));
+    menu->setAccessibleName("Menu of " + dock->windowTitle());
+    menu->setFocusPolicy(Qt::TabFocus);
+    QObject::connect(menu, &QToolButton::clicked, dock, [dock, menu] {
+        auto* m = new QMenu(dock);
+        m->setAttribute(Qt::WA_DeleteOnClose);
+        m->addAction(dock->isFloating() ? "Dock" : "Float", dock, [dock] { dock->setFloating(!dock->isFloating()); });
+        m->addAction("Close", dock, &QDockWidget::close);
+        m->popup(menu->mapToGlobal(QPoint(0, menu->height())));
+    });
+    line->addWidget(menu);
+    return bar;
+}
+
+}  // namespace
+
+Workspaces::Workspaces(Session& session, QMainWindow* window) : QObject(window), window_(window)
+{
+    window_->setDockNestingEnabled(true);
+    window_->setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    window_->setDocumentMode(true);
+    for (auto [corner, area] : {std::pair{Qt::TopLeftCorner, Qt::LeftDockWidgetArea},
+                                {Qt::BottomLeftCorner, Qt::LeftDockWidgetArea},
+                                {Qt::TopRightCorner, Qt::RightDockWidgetArea},
+                                {Qt::BottomRightCorner, Qt::RightDockWidgetArea}})
+        window_->setCorner(corner, area);
+    for (const PanelEntry& p : panels()) makeDock(session, p);
+}
+
+void Workspaces::makeDock(Session& session, const PanelEntry& p)
+{
+    auto* dock = new QDockWidget(p.title, window_);
+    dock->setObjectName("dock-" + p.id);
+    dock->setMinimumWidth(236);
+    dock->toggleViewAction()->setToolTip(p.tip);
+    dock->setTitleBarWidget(titleBar(dock));
+    // A panel is made when it is first seen: what is never looked at costs nothing.
+    connect(dock, &QDockWidget::visibilityChanged, dock, [dock, &session, make = p.make](bool visible) {
+        if (visible && !dock->widget()) dock->setWidget(make(session, dock));
+    });
+    for (auto signal : {&QDockWidget::visibilityChanged, &QDockWidget::topLevelChanged})
+        connect(dock, signal, this, [this] { QTimer::singleShot(0, this, [this] { retitle(); }); });
+    docks_[p.id] = dock;
+    window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
+    dock->hide();
+}
+
+void Workspaces::retitle()
+{
+    for (QDockWidget* d : docks_) {
+        const bool tabbed = !d->isFloating() && !window_->tabifiedDockWidgets(d).isEmpty();
+        QWidget* bar = d->titleBarWidget();
+        if (bar && bar->property("empty").toBool() != tabbed) {
+            auto* next = tabbed ? new QWidget(d) : titleBar(d);
+            next->setProperty("empty", tabbed);
+            if (tabbed) next->setFixedHeight(0);
+            d->setTitleBarWidget(next);
+            bar->deleteLater();
+        }
+    }
+}
+
+void Workspaces::build(const QString& name)
+{
+    for (QDockWidget* d : docks_) {
+        d->setFloating(false);
+        window_->removeDockWidget(d);
+    }
+    QList<QDockWidget*> columns, rows;
+    QList<int> widths, heights;
+    QList<QDockWidget*> fronts;
+    for (const Cell& c : cellsOf(name, window_->width() < 1400)) {
+        QDockWidget* front = nullptr;
+        for (const QString& id : c.tabs) {
+            QDockWidget* d = docks_.value(id);
+            if (!d) continue;
+            if (front)
+                window_->tabifyDockWidget(front, d);
+            else
+                window_->addDockWidget(c.area, d, c.area == Qt::BottomDockWidgetArea ? Qt::Horizontal : Qt::Vertical);
+            d->show();
+            if (!front) front = d;
+        }
+        if (!front) continue;
+        fronts << front;
+        if (c.width) columns << front, widths << c.width;
+        rows << front, heights << (c.height ? c.height : 2000);
+    }
+    window_->resizeDocks(columns, widths, Qt::Horizontal);
+    window_->resizeDocks(rows, heights, Qt::Vertical);
+    for (QDockWidget* d : fronts) d->raise();
+}
+
+void Workspaces::change(const QString& name)
+{
+    if (name == current_) return;
+    if (!current_.isEmpty()) store();
+    current_ = name;
+    const QByteArray state = QSettings().value("layout/" + name).toByteArray();
+    if (state.isEmpty() || !window_->restoreState(state, layoutVersion)) build(name);
+    QTimer::singleShot(0, this, [this] { retitle(); });
+    emit changed();
+}
+
+void Workspaces::reset()
+{
+    build(current_);
+    QTimer::singleShot(0, this, [this] { retitle(); });
+}
+
+void Workspaces::store()
+{
+    QSettings().setValue("layout/" + current_, window_->saveState(layoutVersion));
+}
+
+void Workspaces::toggleAll()
+{
+    if (!beforeHiding_.isEmpty()) {
+        window_->restoreState(std::exchange(beforeHiding_, {}), layoutVersion);
+        return;
+    }
+    beforeHiding_ = window_->saveState(layoutVersion);
+    for (QDockWidget* d : docks_) d->hide();
+}
+
+void Workspaces::show(const QString& id)
+{
+    if (QDockWidget* d = docks_.value(id)) {
+        d->show();
+        d->raise();
+    }
+}
+
+void Workspaces::fillMenu(QMenu* menu) const
+{
+    for (const PanelEntry& p : panels()) menu->addAction(docks_[p.id]->toggleViewAction());
+}
+
+}  // namespace mw

@@ -20,15 +20,12 @@
 #include "ui/file_commands.h"
 #include "ui/samples.h"
 #include "ui/status_strip.h"
+#include "ui/steps/transport_strip.h"
 #include "ui/theme.h"
 #include "ui/view_header.h"
 #include "ui/viewport/viewport.h"
 #include "ui/welcome.h"
 #include "ui/workspaces.h"
-#if __has_include("ui/steps/transport_strip.h")
-#include "ui/steps/transport_strip.h"
-#define MESHWRIGHT_HAS_TRANSPORT
-#endif
 
 namespace mw {
 
@@ -83,11 +80,9 @@ void MainWindow::makeCentre()
     grid->addWidget(viewport_, 2, 1);
     grid->setRowStretch(2, 1);
     grid->setColumnStretch(1, 1);
-#ifdef MESHWRIGHT_HAS_TRANSPORT
     QWidget* strip = makeTransportStrip(session_, centre_);
     grid->addWidget(strip, 3, 0, 1, 2);
     installTransportShortcuts(session_.steps, viewport_);
-#endif
     setCentralWidget(centre_);
 }
 

@@ -1,9 +1,14 @@
 #include "ui/panel.h"
 #include "ui/panels/history.h"
+#include "ui/panels/inspector.h"
 #include "ui/panels/jobs.h"
+#include "ui/panels/lessons.h"
 #include "ui/panels/modifiers.h"
 #include "ui/panels/outliner.h"
 #include "ui/panels/properties.h"
+#include "ui/steps/plot_panel.h"
+#include "ui/steps/source_panel.h"
+#include "ui/steps/step_player.h"
 
 namespace mw {
 
@@ -13,8 +18,14 @@ const std::vector<PanelEntry>& panels()
         {"outliner", "Outliner", "The nodes of the scene", makeOutlinerPanel},
         {"modifiers", "Modifiers", "What is done to the selected mesh, in order", makeModifiersPanel},
         {"properties", "Properties", "Transform and material of the selected node", makePropertiesPanel},
+        {"inspector", "Inspector", "What a mesh is, and what to fix", makeInspectorPanel},
         {"history", "History", "Every edit; a click goes there", makeHistoryPanel},
         {"jobs", "Jobs", "What runs in the background", makeJobsPanel},
+        {"lessons", "Lessons", "What can be learnt, by chapter", makeLessonsPanel},
+        {"lesson-text", "Lesson text", "The text of the chosen lesson", makeLessonTextPanel},
+        {"step-player", "Step player", "Phase, formula and numbers of the running algorithm", makeStepPlayerPanel},
+        {"source", "Source", "The algorithm's own source, at the line that runs", makeSourcePanel},
+        {"plot", "Plot", "A number of the algorithm over its steps", makePlotPanel},
     };
     return all;
 }

@@ -122,9 +122,9 @@ private slots:
         QCOMPARE(object().stack.size(), size_t(1));
         settle();
         QVERIFY(resultFaces() >= 4 * 1280);
-        auto* form = w_->findChild<ParameterForm*>();
-        QVERIFY(form);
-        auto* levels = qobject_cast<NumberBox*>(form->field("levels"));
+        NumberBox* levels = nullptr;
+        for (auto* form : w_->findChildren<ParameterForm*>())
+            if (auto* field = qobject_cast<NumberBox*>(form->field("levels"))) levels = field;
         QVERIFY(levels);
         levels->setValue(2);
         settle();

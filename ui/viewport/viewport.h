@@ -56,6 +56,7 @@ private:
     void drag(QPointF at);
     void hover();
     void say(Qt::KeyboardModifiers modifiers);
+    QString markerView(QPointF at) const;  // "top" when a ball of the orientation marker is there
     Bounds boundsOfNodes(const std::vector<NodeId>& nodes);
     std::optional<Pick> pickAt(QPointF at);
     glm::ivec2 deviceSize() const;

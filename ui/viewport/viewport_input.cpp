@@ -1,4 +1,5 @@
 // Pointer events of the view: click to pick, drag to look (ui/UI.md 3).
+#include <QLineF>
 #include <QMouseEvent>
 #include <algorithm>
 #include <set>
@@ -145,8 +146,28 @@ void Viewport::mouseReleaseEvent(QMouseEvent* e)
     }
 }
 
+// The marker is drawn by the renderer: 78 across, 12 from the corner.
+QString Viewport::markerView(QPointF at) const
+{
+    constexpr double radius = 39, margin = 12, reach = radius - 12, ball = 9;
+    if (!session_.view.options.orientationMarker) return {};
+    const glm::dmat3 turn(session_.view.camera.viewFromWorld());
+    static const char* const names[] = {"right", "top", "front", "left", "bottom", "back"};
+    QString nearest;
+    double depth = -2;
+    for (int i = 0; i < 6; ++i) {
+        const glm::dvec3 d = turn[i % 3] * (i < 3 ? 1.0 : -1.0);
+        const QPointF place(width() - margin - radius + reach * d.x, margin + radius - reach * d.y);
+        if (QLineF(place, at).length() > ball || d.z < depth) continue;
+        depth = d.z;
+        nearest = names[i];
+    }
+    return nearest;
+}
+
 void Viewport::click(QPointF point, Qt::KeyboardModifiers m)
 {
+    if (const QString view = markerView(point); !view.isEmpty()) return lookFrom(view);
     const auto pick = pickAt(point);
     Selection s = session_.document.selection();
     const bool extend = m & (Qt::ShiftModifier | Qt::ControlModifier);

@@ -94,7 +94,7 @@ std::vector<std::vector<Edge>> loopEdges(const Mesh& mesh, const TopologyReport&
 
 Finding holes(const Mesh& mesh, const TopologyReport& r)
 {
-    Finding f{"holes", tr("Holes (boundary loops)"), {}, tr("Every edge has two faces."), {}, {}, r.boundaryLoops.size(), "fill-holes", tr("Fill")};
+    Finding f{"holes", tr("Holes"), {}, tr("Every edge has two faces."), {}, {}, r.boundaryLoops.size(), "fill-holes", tr("Fill")};
     if (f.passed()) {
         f.title = tr("Closed surface"), f.figure = tr("0 loops");
         return f;
@@ -161,7 +161,7 @@ Finding coincident(const Mesh& mesh)
     for (auto& g : groups)
         f.offenders.push_back({tr("At vertex %1").arg(look::count(g.front())), look::counted(g.size(), tr("vertex"), tr("vertices")),
                                elementSet(ElementKind::Vertex, g)});
-    f.figure = f.total == 0 ? QString("0") : tr("%1 too many").arg(look::count(f.total));
+    f.figure = look::count(f.total);  // how many welding would take away
     f.all = elementSet(ElementKind::Vertex, std::move(all));
     return f;
 }

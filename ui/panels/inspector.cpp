@@ -10,6 +10,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QStackedLayout>
+#include <QStyle>
 #include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -27,14 +28,31 @@ namespace {
 constexpr size_t largeFaces = 5'000'000;  // from here on measuring is asked for
 constexpr int findingRole = Qt::UserRole, offenderRole = Qt::UserRole + 1, sectionRole = Qt::UserRole + 2;
 
-/// Sections as bars, figures at the right edge, rows of one height.
+/// Sections as bars; other rows with their figure at the right end, which it keeps while the title is cut short. The figure is the text of
+/// column 1, whose cell holds a button or nothing.
 class Rows : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
     QSize sizeHint(const QStyleOptionViewItem& o, const QModelIndex& i) const override { return {QStyledItemDelegate::sizeHint(o, i).width(), 26}; }
     void paint(QPainter* p, const QStyleOptionViewItem& o, const QModelIndex& i) const override
     {
-        if (!i.data(sectionRole).toBool()) return QStyledItemDelegate::paint(p, o, i);
+        if (i.data(sectionRole).toBool()) return paintSection(p, o, i);
+        QStyleOptionViewItem row = o;
+        initStyleOption(&row, i);
+        const QString figure = i.column() == 0 ? i.siblingAtColumn(1).data().toString() : QString();
+        const int w = figure.isEmpty() ? 0 : o.fontMetrics.horizontalAdvance(figure) + 16;
+        const int room = o.rect.width() - w - (row.icon.isNull() ? 8 : 30);
+        row.text = i.column() == 0 ? o.fontMetrics.elidedText(row.text, Qt::ElideRight, room) : QString();
+        const QWidget* view = o.widget;
+        view->style()->drawControl(QStyle::CE_ItemViewItem, &row, p, view);
+        const bool selected = o.state & QStyle::State_Selected;
+        p->setPen(selected ? look::tone().selectionText : i.siblingAtColumn(1).data(Qt::ForegroundRole).value<QBrush>().color());
+        p->drawText(o.rect.adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignVCenter, figure);
+    }
+
+private:
+    void paintSection(QPainter* p, const QStyleOptionViewItem& o, const QModelIndex& i) const
+    {
         const look::Tones& t = look::tone();
         p->fillRect(o.rect, t.raised);
         QFont bold = o.font;
@@ -42,14 +60,12 @@ public:
         const QString title = i.data(Qt::DisplayRole).toString();
         const int w = QFontMetrics(bold).horizontalAdvance(title);
         const QRect r = o.rect.adjusted(8, 0, 0, 0);
-        p->save();
         p->setFont(bold);
         p->setPen(t.text);
         p->drawText(r, Qt::AlignVCenter, title);
         p->setFont(o.font);
         p->setPen(t.text2);
         p->drawText(r.adjusted(w + 8, 0, 0, 0), Qt::AlignVCenter, i.data(sectionRole + 1).toString());
-        p->restore();
     }
 };
 
@@ -170,12 +186,11 @@ void Inspector::makeTree()
     tree_ = new QTreeWidget(this);
     tree_->setObjectName("inspect-list");
     tree_->setAccessibleName(tr("Checks of the mesh"));
-    tree_->setColumnCount(3);
+    tree_->setColumnCount(2);
     tree_->setHeaderHidden(true);
     tree_->setRootIsDecorated(false);
     tree_->setIndentation(16);
     tree_->setFrameShape(QFrame::NoFrame);
-    tree_->setStyleSheet("QTreeView::item { padding-right: 8px; }");
     tree_->setExpandsOnDoubleClick(false);
     tree_->setMouseTracking(true);
     tree_->setUniformRowHeights(false);
@@ -184,8 +199,7 @@ void Inspector::makeTree()
     tree_->header()->setStretchLastSection(false);
     tree_->header()->setMinimumSectionSize(4);
     tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    tree_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-    tree_->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    tree_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
     tree_->installEventFilter(this);
     connect(tree_, &QTreeWidget::itemEntered, this, [this](QTreeWidgetItem* row) { flash(row); });
     connect(tree_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* row) { frame(row); });
@@ -338,8 +352,9 @@ void Inspector::fill()
     values_[4]->setToolTip(i.genus ? QString() : tr("Only a manifold, orientable mesh without degenerate faces has one."));
     values_[5]->setText(look::count(i.components));
     tree_->clear();
+    tree_->header()->resizeSection(1, 20);
     const auto mendable = [](const Finding& f) { return !f.passed() && !f.repair.empty(); };
-    tree_->setColumnHidden(2, std::none_of(i.findings.begin(), i.findings.end(), mendable));
+    tree_->setColumnHidden(1, std::none_of(i.findings.begin(), i.findings.end(), mendable));
     const size_t bad = i.toFix(), good = i.findings.size() - bad;
     if (bad > 0) {
         QTreeWidgetItem* s = section(tr("To fix"), look::counted(bad, tr("kind"), tr("kinds")));
@@ -368,7 +383,8 @@ void Inspector::addFinding(QTreeWidgetItem* under, size_t index)
     const Finding& f = shown_->findings[index];
     auto* row = new QTreeWidgetItem(under, {f.title, f.figure});
     row->setData(0, findingRole, int(index) + 1);
-    row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    row->setFirstColumnSpanned(f.passed() || f.repair.empty());
+    row->setData(0, Qt::AccessibleTextRole, f.title + ", " + f.figure);
     row->setIcon(0, f.passed() ? look::icon("ok", look::tone().success) : look::icon("warning", look::tone().warning));
     row->setForeground(1, f.passed() ? look::tone().text2 : look::tone().accentText);
     row->setToolTip(0, f.passed() ? f.checked : tr("Click selects them all, Enter frames them."));
@@ -383,7 +399,7 @@ void Inspector::addFinding(QTreeWidgetItem* under, size_t index)
         auto* o = new QTreeWidgetItem(row, {f.offenders[k].name, f.offenders[k].figure});
         o->setData(0, findingRole, int(index) + 1);
         o->setData(0, offenderRole, int(k) + 1);
-        o->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        o->setFirstColumnSpanned(true);
         o->setForeground(1, look::tone().text2);
         o->setToolTip(0, tr("Click selects it, Enter or a double click frames it."));
     }
@@ -391,6 +407,7 @@ void Inspector::addFinding(QTreeWidgetItem* under, size_t index)
     if (listed > f.offenders.size()) {
         auto* more = new QTreeWidgetItem(row, {tr("and %1 more").arg(look::count(listed - f.offenders.size()))});
         more->setForeground(0, look::tone().text2);
+        more->setFirstColumnSpanned(true);
         more->setFlags(Qt::ItemIsEnabled);
     }
     row->setExpanded(f.offenders.size() <= 8);
@@ -407,7 +424,8 @@ void Inspector::addRepair(QTreeWidgetItem* row, const Finding& f)
     b->setAccessibleName(tr("%1: %2").arg(f.title, f.repairText));
     b->setToolTip(tr("Adds the modifier \"%1\".").arg(QString::fromStdString(operation(f.repair).title)));
     connect(b, &QPushButton::clicked, this, [this, finding = f, row] { repair(finding, row); });
-    tree_->setItemWidget(row, 2, b);
+    tree_->header()->resizeSection(1, std::max(tree_->header()->sectionSize(1), b->sizeHint().width() + 4));
+    tree_->setItemWidget(row, 1, b);
 }
 
 void Inspector::addValence()

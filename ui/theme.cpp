@@ -67,6 +67,8 @@ QString styleSheet(const Tokens& t)
     if (!file.open(QIODevice::ReadOnly)) return {};
     QString text = QString::fromUtf8(file.readAll());
     for (const Named& n : allTokens) text.replace(QString("@%1@").arg(n.name), (t.*n.color).name());
+    // A style sheet cannot tint a picture: the arrow of a combo comes in two colours.
+    text.replace("@theme@", t.panel.lightness() < 128 ? "dark" : "light");
     text.replace("@pressed@", t.raised.darker(108).name());
     return text;
 }

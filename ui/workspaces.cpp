@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 
 #include "ui/panel.h"
 #include "ui/theme.h"
@@ -127,7 +128,15 @@ void Workspaces::build(const QString& name)
     QList<QDockWidget*> columns, rows;
     QList<int> widths, heights;
     QList<QDockWidget*> fronts;
-    for (const Cell& c : cellsOf(name, window_->width() < 1400)) {
+    const QList<Cell> cells = cellsOf(name, window_->width() < 1400);
+    // What is left of a column: Qt shares heights out in proportion, so the sum has to be the column's.
+    const auto rest = [&](Qt::DockWidgetArea area) {
+        int height = window_->height() - 96;  // menus, toolbar, status bar
+        for (const Cell& c : cells)
+            if (c.area == area) height -= c.height;
+        return std::max(100, height);
+    };
+    for (const Cell& c : cells) {
         QDockWidget* front = nullptr;
         for (const QString& id : c.tabs) {
             QDockWidget* d = docks_.value(id);
@@ -142,7 +151,7 @@ void Workspaces::build(const QString& name)
         if (!front) continue;
         fronts << front;
         if (c.width) columns << front, widths << c.width;
-        rows << front, heights << (c.height ? c.height : 2000);
+        rows << front, heights << (c.height ? c.height : rest(c.area));
     }
     window_->resizeDocks(columns, widths, Qt::Horizontal);
     window_->resizeDocks(rows, heights, Qt::Vertical);

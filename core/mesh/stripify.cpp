@@ -248,7 +248,7 @@ Generator stripify(Mesh input, Stripify parameters, Stage<Table>& stage)
         }
         strips.endStrip();
         if (stage.watched() || (++pause & 255) == 0)
-            co_yield Step("end")
+            co_yield Step("close")
                 .number("length", double(strip.size()))
                 .number("strips", double(strips.count()))
                 .number("indices", double(strips.indices()))

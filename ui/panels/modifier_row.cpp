@@ -18,6 +18,10 @@
 
 namespace mw {
 
+namespace {
+constexpr int wideRow = 340;  // from here on the time has a column of its own
+}
+
 ProgressRing::ProgressRing(QWidget* parent) : QWidget(parent)
 {
     setFixedSize(16, 16);
@@ -116,11 +120,21 @@ void ModifierRow::makeHeader(const Modifier& m)
     box_->addLayout(line);
 }
 
+// The name comes first: where there is no room for all, the time is only in the tooltip.
+void ModifierRow::resizeEvent(QResizeEvent* e)
+{
+    QFrame::resizeEvent(e);
+    time_->setVisible(width() >= wideRow);
+}
+
 void ModifierRow::setState(const RowState& s)
 {
     on_->setChecked(s.enabled);
     counts_->setText(s.enabled ? s.waits ? QString("waits") : s.counts : QString("off"));
-    time_->setText(s.enabled && !s.running && s.error.isEmpty() ? s.time : QString());
+    const QString time = s.enabled && !s.running && s.error.isEmpty() ? s.time : QString();
+    time_->setText(time);
+    time_->setVisible(width() >= wideRow);
+    counts_->setToolTip(time.isEmpty() ? QString() : "It took " + time);
     const QString color = s.enabled ? tokens().text.name() : tokens().text3.name();
     const QString style = "text-align: left; font-weight: 700; color: " + color + ";";
     if (name_->styleSheet() != style) name_->setStyleSheet(style);

@@ -92,7 +92,7 @@ void SourcePanel::refresh()
         pages_->setCurrentIndex(source ? 1 : 0);
     }
     view_->setRunning(step.line);
-    where_->setText(step.line ? file + " : " + QString::number(step.line) : file);
+    where_->setText(step.line ? file + " : " + QString::number(view_->runningFirstLine()) : file);
 }
 
 }  // namespace
@@ -147,6 +147,12 @@ int SourceView::gutterWidth() const
 {
     const int digits = std::max<int>(3, int(QString::number(blockCount()).size()));
     return 8 + fontMetrics().horizontalAdvance('9') * digits + 20;
+}
+
+unsigned SourceView::runningFirstLine() const
+{
+    const YieldLines* statement = yieldAt(running_);
+    return statement ? statement->first : running_;
 }
 
 const YieldLines* SourceView::yieldAt(unsigned line) const

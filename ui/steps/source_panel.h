@@ -25,6 +25,8 @@ public:
     /// Marks the statement the line belongs to and keeps it in the middle third; 0: none.
     void setRunning(unsigned line);
     unsigned runningLine() const { return running_; }
+    /// Where the running statement begins: g++ names the last line of a co_yield over several.
+    unsigned runningFirstLine() const;
     void paintGutter(QPaintEvent* e);
     int gutterWidth() const;
 

@@ -5,6 +5,8 @@
 namespace mw {
 namespace {
 
+constexpr size_t edgesShownUpTo = 20'000;  // faces, while stepping
+
 void markSelection(const Session& s, Frame& frame)
 {
     const Selection& selection = s.document.selection();
@@ -31,6 +33,11 @@ void markFocus(const Session& s, Frame& frame)
         const Value* value = s.steps.value();
         if (const Mesh* mesh = value ? std::get_if<Mesh>(value) : nullptr) o.mesh = *mesh;
         o.heat = nullptr;
+        // What an algorithm does is done to faces and edges: they are shown, unless there are too many to tell apart.
+        if (o.mesh.faceCount() <= edgesShownUpTo) {
+            frame.options.wireOverlay = true;
+            if (frame.options.shading == Shading::Smooth) frame.options.shading = Shading::Flat;
+        }
         addFocus(s.steps.step(), o.mesh, o.node, o.worldFromLocal, frame.marks, frame.points, frame.labels);
     }
 }

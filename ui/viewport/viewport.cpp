@@ -2,6 +2,7 @@
 
 #include <QOpenGLContext>
 #include <QWindow>
+#include <algorithm>
 #include <cmath>
 
 namespace mw {
@@ -19,9 +20,15 @@ Viewport::Viewport(Session& session, QWidget* parent)
     connect(&session_.view, &ViewState::changed, this, &Viewport::refresh);
     connect(&session_.view, &ViewState::frameRequested, this, [this](const std::vector<NodeId>& nodes) { showFrame(boundsOfNodes(nodes), true); });
     connect(&session_.view, &ViewState::boundsRequested, this, [this](const Bounds& b) { showFrame(b, true); });
-    connect(&session_.steps, &StepSession::changed, this, &Viewport::refresh);
-    connect(&session_.steps, &StepSession::opened, this, &Viewport::refresh);
-    connect(&session_.steps, &StepSession::closed, this, &Viewport::refresh);
+    connect(&session_.steps, &StepSession::changed, this, [this] {
+        refresh();
+        followFocus();
+    });
+    for (auto signal : {&StepSession::opened, &StepSession::closed})
+        connect(&session_.steps, signal, this, [this] {
+            refresh();
+            say({});
+        });
     connect(&heats_, &HeatService::ready, this, &Viewport::refresh);
     connect(&heats_, &HeatService::failed, this, &Viewport::failed);
     hoverTimer_.setSingleShot(true);
@@ -126,8 +133,70 @@ void Viewport::frameAll(bool fly)
     showFrame(boundsOf(frame()), fly);
 }
 
+Bounds Viewport::focusBounds()
+{
+    Bounds b;
+    const auto add = [&](const glm::dmat4& m, glm::vec3 p) { b.add(glm::dvec3(m * glm::dvec4(glm::dvec3(p), 1))); };
+    for (const DrawObject& o : frame().objects) {
+        if (o.node != session_.steps.node()) continue;
+        const auto vertex = [&](uint32_t v) {
+            if (v < o.mesh.vertexCount()) add(o.worldFromLocal, o.mesh.positions()[v]);
+        };
+        for (const Focus& f : session_.steps.step().focus) {
+            if (f.kind == ElementKind::Vertex || f.kind == ElementKind::Edge) vertex(f.index);
+            if (f.kind == ElementKind::Edge) vertex(f.other);
+            if (f.kind == ElementKind::Point || f.kind == ElementKind::Segment) add(o.worldFromLocal, f.at);
+            if (f.kind == ElementKind::Segment) add(o.worldFromLocal, f.to);
+            if (f.kind == ElementKind::Face && f.index < o.mesh.faceCount())
+                for (uint32_t v : o.mesh.face(f.index)) vertex(v);
+        }
+    }
+    return b;
+}
+
+// From the middle of the scene through the focus outwards: there it is seen on anything that bulges.
+Camera Viewport::facing(const Bounds& focus)
+{
+    Camera to = session_.view.camera;
+    const glm::dvec3 out = focus.centre() - boundsOf(frame()).centre();
+    if (glm::length(out) == 0) return to;
+    const glm::dvec3 d = glm::normalize(out);
+    to.azimuth = std::atan2(d.x, d.z);
+    to.elevation = std::clamp(std::asin(d.y), -1.2, 1.2);
+    return to;
+}
+
+void Viewport::followFocus()
+{
+    if (!session_.steps.isOpen() || session_.steps.playing() || session_.steps.seeking() || drag_ != Drag::None) return;
+    const Bounds focus = focusBounds();
+    // Many elements, or all, are no place to look at.
+    const double scene = boundsOf(frame()).diagonal();
+    if (focus.empty || focus.diagonal() > 0.5 * scene) return;
+    const glm::dvec3 at = session_.view.camera.project(focus.centre(), logicalSize());
+    const bool inside = at.x > 0 && at.y > 0 && at.x < width() && at.y < height();
+    if (inside) {
+        const auto pick = pickAt({at.x, at.y});
+        if (!pick || glm::length(pick->atWorld - focus.centre()) < focus.diagonal() + 0.02 * scene) return;
+    }
+    Camera to = facing(focus);
+    if (!inside) to.target = focus.centre();
+    flyTo(to);
+}
+
 void Viewport::frameSelection()
 {
+    if (session_.steps.isOpen()) {
+        Bounds focus = focusBounds();
+        if (focus.empty) return frameAll();
+        // With some of what is round it.
+        const glm::dvec3 reach(std::max(focus.diagonal(), 1e-3 * boundsOf(frame()).diagonal()));
+        focus.add(focus.min - reach);
+        focus.add(focus.max + reach);
+        Camera to = facing(focus);
+        to.frame(focus, double(width()) / std::max(1, height()));
+        return flyTo(to);
+    }
     const Selection& s = session_.document.selection();
     if (s.elementsOf && !s.elements.indices.empty()) {
         for (const DrawObject& o : frame().objects) {

@@ -49,7 +49,10 @@ protected:
 
 private:
     enum class Drag { None, Pending, Orbit, Pan, Zoom, Box };
-    void refresh();  // the frame is out of date
+    void refresh();                      // the frame is out of date
+    Bounds focusBounds();                // of the step's focus, in the world
+    void followFocus();                  // turns the camera when the focus cannot be seen
+    Camera facing(const Bounds& focus);  // the present camera, turned to it from outside
     void showFrame(const Bounds& bounds, bool fly);
     void flyTo(const Camera& to);
     void beginDrag(QPointF at);

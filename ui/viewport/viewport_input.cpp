@@ -286,7 +286,7 @@ void Viewport::hover()
 void Viewport::say(Qt::KeyboardModifiers m)
 {
     if (session_.steps.isOpen())
-        emit hint("→ next step · ← step back · Shift+→ next phase · Space plays · Drag orbits");
+        emit hint("→ next step · ← step back · Shift+→ next phase · Space plays · F frames the focus");
     else if (m & Qt::ShiftModifier)
         emit hint("Shift+click adds · Shift+drag boxes, adding · Shift+middle-drag pans");
     else if (m & Qt::ControlModifier)

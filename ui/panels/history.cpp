@@ -15,7 +15,7 @@ public:
     History(Session& session, QWidget* parent) : QWidget(parent), session_(session), list_(new QTreeWidget(this))
     {
         auto* box = new QVBoxLayout(this);
-        box->setContentsMargins(0, 4, 0, 0);
+        box->setContentsMargins(0, 4, 6, 0);
         box->addWidget(list_);
         list_->setColumnCount(2);
         list_->setHeaderHidden(true);

@@ -19,7 +19,7 @@
 namespace mw {
 
 namespace {
-constexpr int wideRow = 340;  // from here on the time has a column of its own
+constexpr int wideRow = 400;  // from here on the time has a column of its own
 }
 
 ProgressRing::ProgressRing(QWidget* parent) : QWidget(parent)
@@ -120,21 +120,29 @@ void ModifierRow::makeHeader(const Modifier& m)
     box_->addLayout(line);
 }
 
-// The name comes first: where there is no room for all, the time is only in the tooltip.
 void ModifierRow::resizeEvent(QResizeEvent* e)
 {
     QFrame::resizeEvent(e);
+    fitHeader();
+}
+
+// The name comes first: where there is no room for all, the time and the count before are only in the tooltip.
+void ModifierRow::fitHeader()
+{
     time_->setVisible(width() >= wideRow);
+    const int room = width() - 120;  // grip, box and menu
+    const bool fits = name_->sizeHint().width() + counts_->fontMetrics().horizontalAdvance(countsText_) <= room;
+    counts_->setText(fits ? countsText_ : countsText_.mid(std::max(0, int(countsText_.indexOf(QChar(0x2192))))));
 }
 
 void ModifierRow::setState(const RowState& s)
 {
     on_->setChecked(s.enabled);
-    counts_->setText(s.enabled ? s.waits ? QString("waits") : s.counts : QString("off"));
+    countsText_ = s.enabled ? s.waits ? QString("waits") : s.counts : QString("off");
     const QString time = s.enabled && !s.running && s.error.isEmpty() ? s.time : QString();
     time_->setText(time);
-    time_->setVisible(width() >= wideRow);
-    counts_->setToolTip(time.isEmpty() ? QString() : "It took " + time);
+    fitHeader();
+    counts_->setToolTip(time.isEmpty() ? countsText_ : countsText_ + ", in " + time);
     const QString color = s.enabled ? tokens().text.name() : tokens().text3.name();
     const QString style = "text-align: left; font-weight: 700; color: " + color + ";";
     if (name_->styleSheet() != style) name_->setStyleSheet(style);

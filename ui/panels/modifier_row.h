@@ -69,8 +69,10 @@ protected:
 private:
     void makeHeader(const Modifier& m);
     void menu();
+    void fitHeader();
 
     const Operation* op_;
+    QString countsText_;
     QVBoxLayout* box_;
     QLabel *grip_, *counts_, *time_, *error_, *errorIcon_;
     QCheckBox* on_;

@@ -35,10 +35,10 @@ Input readInput(const std::string& in, const OperationCall& first, Progress* pro
     return {sceneOf(std::get<Mesh>(std::move(made)), first.operation->id), false, true};
 }
 
-Mesh evaluated(const MeshObject& object, Progress* progress)
+Mesh evaluated(const MeshObject& object, Progress* progress, Evaluator* evaluator)
 {
     if (object.stack.empty()) return object.base;
-    const Evaluation e = Evaluator().evaluate(object, progress);
+    const Evaluation e = evaluator ? evaluator->evaluate(object, progress) : Evaluator().evaluate(object, progress);
     for (size_t i = 0; i < e.levels.size(); ++i)
         if (!e.levels[i].error.empty())
             throw Error("object \"" + object.name + "\", modifier " + std::to_string(i + 1) + " (" + object.stack[i].operation +

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/catalog/catalog.h"
+#include "core/scene/evaluation.h"
 #include "core/scene/scene.h"
 #include "core/steps/progress.h"
 
@@ -26,7 +27,7 @@ struct Input {
 };
 Input readInput(const std::string& in, const OperationCall& first, Progress* progress);
 
-/// What a mesh object shows: its stack evaluated. Throws Error naming the modifier that could not run.
-Mesh evaluated(const MeshObject& object, Progress* progress);
+/// What a mesh object shows: its stack evaluated, by `evaluator` if given. Throws Error naming the modifier that could not run.
+Mesh evaluated(const MeshObject& object, Progress* progress, Evaluator* evaluator = nullptr);
 
 }  // namespace mw::cli

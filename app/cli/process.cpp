@@ -46,9 +46,13 @@ void check(const Job& job)
                     "a mesh cannot be written as this; end with an operation that gives a table (as vertex-valence), or name a .glb, .obj or .ply");
 }
 
-// The mesh operations on one object: its mesh after them; with `project` they become modifiers of its stack as well.
+// The mesh operations on one object: its mesh after them; with `project` they become modifiers of its stack instead.
 MeshObject processed(MeshObject object, std::span<const OperationCall> calls, Scene& scene, bool project, Working& working)
 {
+    if (project) {
+        for (const OperationCall& call : calls) object.stack.push_back({scene.newModifierId(), call.operation->id, call.values, true});
+        return object;
+    }
     Mesh mesh = evaluated(object, working.progress());
     for (const OperationCall& call : calls) {
         working.now(call.operation->id);
@@ -57,12 +61,9 @@ MeshObject processed(MeshObject object, std::span<const OperationCall> calls, Sc
         } catch (const Error& e) {
             throw Error("object \"" + object.name + "\": " + call.operation->id + ": " + e.reason());
         }
-        if (project) object.stack.push_back({scene.newModifierId(), call.operation->id, call.values, true});
     }
-    if (!project) {
-        object.base = mesh;
-        object.stack.clear();
-    }
+    object.base = mesh;
+    object.stack.clear();
     return object;
 }
 
@@ -92,6 +93,7 @@ int work(const Job& job)
     std::vector<Warning> lost;
     std::vector<std::string> names;
     std::vector<std::pair<Mesh, Mesh>> changes;
+    Evaluator evaluator;  // a project's stack is run once, for the figures and for the file
     {
         Working working("reading " + job.in);
         Input input = readInput(job.in, job.calls.empty() ? OperationCall{} : job.calls.front(), working.progress());
@@ -104,14 +106,14 @@ int work(const Job& job)
             const MeshObject before = *input.scene.find(id);
             MeshObject after = processed(before, meshCalls, input.scene, project, working);
             names.push_back(before.name);
-            changes.emplace_back(before.base, project ? evaluated(after, working.progress()) : after.base);
+            changes.emplace_back(before.base, project ? evaluated(after, working.progress(), &evaluator) : after.base);
             input.scene.set(id, std::move(after));
         }
         if (job.query()) {
             writeResults(job, input.scene, working);
         } else {
             working.now("writing " + job.out);
-            lost = writeFile(input.scene, job.out, {.project = project, .binary = !job.ascii}, working.progress());
+            lost = writeFile(input.scene, job.out, {.project = project, .binary = !job.ascii, .evaluator = &evaluator}, working.progress());
         }
     }
     warn(job.out, lost);

@@ -11,6 +11,8 @@
 
 namespace mw {
 
+class Evaluator;
+
 struct Imported {
     Scene scene;
     std::vector<Warning> warnings;
@@ -30,9 +32,10 @@ const std::vector<FileFormat>& fileFormats();
 Imported readFile(const std::filesystem::path& file, Progress* progress = nullptr);
 
 struct WriteOptions {
-    bool project = false;    ///< glTF only: add what is needed to go on editing
-    bool binary = true;      ///< PLY
-    bool bigEndian = false;  ///< PLY, binary
+    bool project = false;            ///< glTF only: add what is needed to go on editing
+    bool binary = true;              ///< PLY
+    bool bigEndian = false;          ///< PLY, binary
+    Evaluator* evaluator = nullptr;  ///< glTF: one that may know results of the stacks already; null: they are computed
 };
 /// By ending. Writes the evaluated scene. All or nothing: to a temporary file, then renamed. Gives what the format could not hold.
 std::vector<Warning> writeFile(const Scene& scene, const std::filesystem::path& file, const WriteOptions& options = {}, Progress* progress = nullptr);

@@ -30,7 +30,7 @@ void addNode(Frame& frame, const Scene& scene, NodeId id, const glm::dmat4& worl
 
 }  // namespace
 
-Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown)
+Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown, const ScenePose&)
 {
     Frame frame;
     for (const NodeId root : scene.roots()) addNode(frame, scene, root, glm::dmat4(1), shown);

@@ -10,6 +10,7 @@
 
 #include "core/mesh/table.h"
 #include "core/scene/scene.h"
+#include "core/scene/scene_pose.h"
 #include "core/steps/stepper.h"
 #include "render/camera.h"
 
@@ -35,7 +36,26 @@ struct DrawObject {
     std::vector<std::shared_ptr<const Material>> materials;  ///< by slot; may be empty
     std::vector<std::shared_ptr<const Image>> baseImages;    ///< by slot: base colour pictures; null or missing: none
     std::shared_ptr<const HeatMap> heat;
+    std::shared_ptr<const MeshPose> pose;  ///< null: as the mesh is; skinned ones stand by their joints, worldFromLocal is then identity
     bool selected = false, hovered = false, dimmed = false;
+};
+
+/// One bone: from a joint to where it ends. Drawn through what hides it.
+struct DrawBone {
+    NodeId node;                 ///< the joint it turns with
+    glm::vec3 head{0}, tail{0};  ///< world; equal for a joint without a child
+    glm::vec4 color{1};          ///< sRGB
+    bool selected = false, hovered = false;
+};
+
+/// A terrain, drawn in patches that are tessellated by their distance.
+struct DrawTerrain {
+    NodeId node;
+    glm::dmat4 worldFromLocal{1};
+    Terrain terrain;
+    bool textured = true;  ///< layers by height; else clay
+    bool patchBorders = false;
+    bool selected = false, hovered = false;
 };
 
 /// Elements marked on one object: selection, hover, offenders, or the focus of a step.
@@ -80,13 +100,15 @@ struct Frame {
     Camera camera;
     ViewOptions options;
     std::vector<DrawObject> objects;
+    std::vector<DrawTerrain> terrains;
+    std::vector<DrawBone> bones;
     std::vector<Mark> marks;
     std::vector<MarkPoint> points;
     std::vector<Label> labels;
 };
 
-/// All visible nodes of a scene. `shown` gives the mesh to draw of each mesh object.
-Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown);
+/// All visible nodes of a scene at a pose. `shown` gives the mesh to draw of each mesh object.
+Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown, const ScenePose& pose = {});
 Bounds boundsOf(const Frame& frame);
 /// Moves the frame's camera, without turning it, to where everything just fits; closer than Camera::frame, which only knows a box.
 void frameTightly(Frame& frame, double aspect);

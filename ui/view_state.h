@@ -11,7 +11,7 @@
 
 namespace mw {
 
-enum class PickKind { Object, Vertex, Edge, Face };
+enum class PickKind { Object, Vertex, Edge, Face, Joint };
 
 class ViewState : public QObject {
     Q_OBJECT
@@ -28,12 +28,24 @@ public:
     std::vector<Mark> flashes;  ///< marks panels put into the view (offenders under the mouse)
     bool dimOthers = false;     ///< everything but marked elements at 35 %
 
+    // Time: which clip poses the scene, and where its playhead stands. ui/playback.h moves it.
+    ClipId clip;      ///< none: the scene rests
+    double time = 0;  ///< seconds
+    bool showBones = true, showMeshes = true;
+
     void touch() { emit changed(); }  ///< after setting any of the above
     void frameNodes(std::vector<NodeId> nodes) { emit frameRequested(std::move(nodes)); }
     void frameBounds(const Bounds& world) { emit boundsRequested(world); }
 
+    void setTime(double seconds)
+    {
+        time = seconds;
+        emit timeChanged();
+    }
+
 signals:
     void changed();
+    void timeChanged();                                  ///< clip or playhead alone
     void frameRequested(std::vector<mw::NodeId> nodes);  ///< empty: all
     void boundsRequested(const mw::Bounds& world);
 };

@@ -33,27 +33,39 @@ const char* kindName(Kind k)
 
 Kind kindOf(const Value& v)
 {
-    constexpr Kind kinds[] = {Kind::Nothing, Kind::Mesh, Kind::Selection, Kind::Table};
+    constexpr Kind kinds[] = {Kind::Nothing, Kind::Mesh, Kind::Selection, Kind::Table, Kind::HeightMap, Kind::Curve, Kind::Pose, Kind::Rotations};
     return kinds[v.index()];
 }
 
+namespace {
+
+template <class T, class... More>
+Value held(const std::any& a)
+{
+    if (const T* v = std::any_cast<T>(&a)) return *v;
+    if constexpr (sizeof...(More) > 0)
+        return held<More...>(a);
+    else
+        return {};
+}
+
+}  // namespace
+
 Value valueOf(const Snapshot& s)
 {
-    if (const auto* m = std::any_cast<Mesh>(&s.value)) return *m;
-    if (const auto* t = std::any_cast<Table>(&s.value)) return *t;
-    if (const auto* e = std::any_cast<ElementSet>(&s.value)) return *e;
-    return {};
+    return held<Mesh, Table, ElementSet, HeightMap, Curve, Pose, Rotations>(s.value);
 }
 
 uint64_t contentHash(const Value& v)
 {
-    struct Hash {
-        uint64_t operator()(std::monostate) const { return 0; }
-        uint64_t operator()(const Mesh& m) const { return contentHash(m); }
-        uint64_t operator()(const ElementSet& s) const { return contentHash(s); }
-        uint64_t operator()(const Table& t) const { return contentHash(t); }
-    };
-    return std::visit(Hash{}, v);
+    return std::visit(
+        [](const auto& held) -> uint64_t {
+            if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::monostate>)
+                return 0;
+            else
+                return contentHash(held);
+        },
+        v);
 }
 
 const Operation* findOperation(std::string_view id)

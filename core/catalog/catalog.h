@@ -7,10 +7,14 @@
 #include <vector>
 
 #include "core/catalog/parameters.h"
+#include "core/character/pose.h"
+#include "core/math/rotations.h"
+#include "core/mesh/curve.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/table.h"
 #include "core/steps/progress.h"
 #include "core/steps/stage.h"
+#include "core/terrain/height_map.h"
 
 namespace mw {
 
@@ -19,7 +23,7 @@ enum class Kind { Nothing, Mesh, Curve, HeightMap, Patches, Clip, Pose, Rotation
 const char* kindName(Kind k);  ///< "mesh", "height-map", ...
 
 /// A value of one of those kinds. Kinds that have no type yet are added with their first operation.
-using Value = std::variant<std::monostate, Mesh, ElementSet, Table>;
+using Value = std::variant<std::monostate, Mesh, ElementSet, Table, HeightMap, Curve, Pose, Rotations>;
 Kind kindOf(const Value& v);
 Value valueOf(const Snapshot& s);
 uint64_t contentHash(const Value& v);

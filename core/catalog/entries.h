@@ -14,6 +14,14 @@ template <>
 inline constexpr Kind kindOfType<Table> = Kind::Table;
 template <>
 inline constexpr Kind kindOfType<ElementSet> = Kind::Selection;
+template <>
+inline constexpr Kind kindOfType<HeightMap> = Kind::HeightMap;
+template <>
+inline constexpr Kind kindOfType<Curve> = Kind::Curve;
+template <>
+inline constexpr Kind kindOfType<Pose> = Kind::Pose;
+template <>
+inline constexpr Kind kindOfType<Rotations> = Kind::Rotations;
 
 template <class P>
 std::vector<Parameter> described()

@@ -4,8 +4,11 @@
 #include <cctype>
 #include <new>
 
+#include "core/io/bvh.h"
 #include "core/io/file.h"
+#include "core/io/foreign.h"
 #include "core/io/gltf.h"
+#include "core/io/height_picture.h"
 #include "core/io/obj.h"
 #include "core/io/ply.h"
 
@@ -15,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-enum class Type { Unknown, Obj, Ply, Gltf };
+enum class Type { Unknown, Obj, Ply, Gltf, Bvh, HeightPicture, Foreign };
 
 std::string ending(const fs::path& file)
 {
@@ -30,6 +33,9 @@ Type byEnding(const fs::path& file)
     if (e == ".obj") return Type::Obj;
     if (e == ".ply") return Type::Ply;
     if (e == ".gltf" || e == ".glb") return Type::Gltf;
+    if (e == ".bvh") return Type::Bvh;
+    if (e == ".png" || e == ".tga" || e == ".pgm") return Type::HeightPicture;
+    if (isForeign(e)) return Type::Foreign;
     return Type::Unknown;
 }
 
@@ -75,9 +81,12 @@ std::string listOfFormats(bool FileFormat::*can)
 const std::vector<FileFormat>& fileFormats()
 {
     static const std::vector<FileFormat> formats{
-        {"glTF 2.0", {".glb", ".gltf"}, true, true},
-        {"Wavefront OBJ", {".obj"}, true, true},
-        {"Stanford PLY", {".ply"}, true, true},
+        {"glTF 2.0", {".glb", ".gltf"}, true, true}, {"Wavefront OBJ", {".obj"}, true, true},
+        {"Stanford PLY", {".ply"}, true, true},      {"Biovision BVH", {".bvh"}, true, true},
+        {"Height map PNG", {".png"}, true, true},    {"Height map TGA", {".tga"}, true, false},
+        {"Height map PGM", {".pgm"}, true, false},   {"Autodesk FBX", {".fbx"}, true, false},
+        {"DirectX X", {".x"}, true, false},          {"id Software MD5", {".md5mesh", ".md5anim"}, true, false},
+        {"COLLADA", {".dae"}, true, false},          {"3D Studio", {".3ds"}, true, false},
     };
     return formats;
 }
@@ -92,6 +101,12 @@ Imported readFile(const fs::path& file, Progress* progress)
                 return readPly(file, progress);
             case Type::Gltf:
                 return readGltf(file, progress);
+            case Type::Bvh:
+                return readBvh(file, progress);
+            case Type::HeightPicture:
+                return readHeightPicture(file, progress);
+            case Type::Foreign:
+                return readForeign(file, progress);
             case Type::Unknown:
                 break;
         }
@@ -110,6 +125,12 @@ std::vector<Warning> writeFile(const Scene& scene, const fs::path& file, const W
             return writePly(scene, file, options, progress);
         case Type::Gltf:
             return writeGltf(scene, file, options, progress);
+        case Type::Bvh:
+            return writeBvh(scene, file, progress);
+        case Type::HeightPicture:
+            if (ending(file) == ".png") return writeHeightPicture(scene, file, progress);
+            break;
+        case Type::Foreign:
         case Type::Unknown:
             break;
     }

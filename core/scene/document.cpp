@@ -31,6 +31,9 @@ Change changeBetween(const Scene& before, const Scene& after)
         if (!a || a->name != b.name || a->children != b.children || a->parent != b.parent || a->visible != b.visible) mark(Aspect::Tree, id);
         if (!a || !(a->local == b.local)) mark(Aspect::Transform, id);
         if (!a || a->mesh != b.mesh) mark(Aspect::Mesh, id);
+        if (!a || a->joint != b.joint || a->morphWeights != b.morphWeights || a->skin != b.skin || before.find(a->skin) != after.find(b.skin))
+            mark(Aspect::Skin, id);
+        if ((a ? before.find(a->terrain) : nullptr) != after.find(b.terrain)) mark(Aspect::Terrain, id);
         const auto from = a ? before.shared(a->mesh) : nullptr, to = after.shared(b.mesh);
         if (!from || !to || from == to) continue;
         if (!sameBase(from->base, to->base)) mark(Aspect::Mesh, id);
@@ -40,6 +43,9 @@ Change changeBetween(const Scene& before, const Scene& after)
     }
     for (MaterialId id : after.materials())
         if (before.find(id) != after.find(id)) mark(Aspect::Material, {});
+    if (before.clips() != after.clips()) mark(Aspect::Clip, {});
+    for (ClipId id : after.clips())
+        if (before.find(id) != after.find(id)) mark(Aspect::Clip, {});
     change.aspects = Aspect(aspects);
     return change;
 }
@@ -100,13 +106,20 @@ size_t Document::historyOnlyBytes() const
     std::set<const void*> seen;
     const auto size = [&](const Scene& s) {
         size_t bytes = 0;
+        const auto count = [&](const void* key, size_t n) { bytes += key && seen.insert(key).second ? n : 0; };
         for (MeshId id : s.meshes()) {
             const Mesh& m = s.find(id)->base;
-            const auto count = [&](const void* key, size_t n) { bytes += key && seen.insert(key).second ? n : 0; };
             count(m.positions().id(), m.positions().bytes());
             count(m.cornerVertex().id(), m.cornerVertex().bytes());
             count(m.faceStart().id(), m.faceStart().bytes());
             for (const Attribute& a : m.attributes()) count(a.id(), a.bytes());
+        }
+        for (ClipId id : s.clips())
+            for (const auto& channel : s.find(id)->channels) count(channel->values.id(), channel->values.bytes());
+        for (TerrainId id : s.terrains()) {
+            const HeightMap& map = s.find(id)->terrain.map;
+            for (uint32_t y = 0; y < map.tilesY(); ++y)
+                for (uint32_t x = 0; x < map.tilesX(); ++x) count(map.tile(x, y).id(), map.tile(x, y).bytes());
         }
         return bytes;
     };

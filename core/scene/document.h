@@ -33,6 +33,9 @@ enum class Aspect : unsigned {
     History = 64,
     Evaluation = 128,
     File = 256,
+    Skin = 512,  ///< skins, joints, morph weights
+    Clip = 1024,
+    Terrain = 2048,
     All = ~0u
 };
 constexpr Aspect operator|(Aspect a, Aspect b)

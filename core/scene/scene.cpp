@@ -3,45 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <glm/gtc/matrix_inverse.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
 #include "core/scene/hash.h"
 
 namespace mw {
-
-glm::dmat4 Transform::matrix() const
-{
-    return glm::scale(glm::translate(glm::dmat4(1), translation) * glm::mat4_cast(rotation), scale);
-}
-
-Transform transformOf(const glm::dmat4& m, bool* exact)
-{
-    Transform t;
-    t.translation = glm::dvec3(m[3]);
-    glm::dmat3 r(m);
-    for (int i = 0; i < 3; ++i) {
-        t.scale[i] = glm::length(r[i]);
-        if (t.scale[i] > 0) r[i] /= t.scale[i];
-    }
-    if (glm::determinant(r) < 0) {  // a mirror: one axis is turned round
-        t.scale.x = -t.scale.x;
-        r[0] = -r[0];
-    }
-    t.rotation = glm::normalize(glm::quat_cast(r));
-    if (exact) {
-        const glm::dmat4 back = t.matrix();
-        double worst = 0, size = 0;
-        for (int c = 0; c < 4; ++c)
-            for (int k = 0; k < 4; ++k) {
-                worst = std::max(worst, std::abs(back[c][k] - m[c][k]));
-                size = std::max(size, std::abs(m[c][k]));
-            }
-        *exact = worst <= 1e-6 * size;
-    }
-    return t;
-}
 
 namespace {
 
@@ -85,6 +51,18 @@ const Image* Scene::find(ImageId id) const
 {
     return pointerTo(images_, id);
 }
+const Skin* Scene::find(SkinId id) const
+{
+    return pointerTo(skins_, id);
+}
+const Clip* Scene::find(ClipId id) const
+{
+    return pointerTo(clips_, id);
+}
+const TerrainObject* Scene::find(TerrainId id) const
+{
+    return pointerTo(terrains_, id);
+}
 const Node& Scene::node(NodeId id) const
 {
     return *nodes_.at(id);
@@ -126,6 +104,18 @@ std::vector<MaterialId> Scene::materials() const
 std::vector<ImageId> Scene::images() const
 {
     return keysOf(images_);
+}
+std::vector<SkinId> Scene::skins() const
+{
+    return keysOf(skins_);
+}
+std::vector<ClipId> Scene::clips() const
+{
+    return keysOf(clips_);
+}
+std::vector<TerrainId> Scene::terrains() const
+{
+    return keysOf(terrains_);
 }
 
 size_t Scene::users(MeshId id) const
@@ -177,6 +167,27 @@ ImageId Scene::add(Image image)
     return id;
 }
 
+SkinId Scene::add(Skin skin)
+{
+    const SkinId id{next_++};
+    skins_[id] = std::make_shared<const Skin>(std::move(skin));
+    return id;
+}
+
+ClipId Scene::add(Clip clip)
+{
+    const ClipId id{next_++};
+    clips_[id] = std::make_shared<const Clip>(std::move(clip));
+    return id;
+}
+
+TerrainId Scene::add(TerrainObject terrain)
+{
+    const TerrainId id{next_++};
+    terrains_[id] = std::make_shared<const TerrainObject>(std::move(terrain));
+    return id;
+}
+
 void Scene::set(NodeId id, Node n)
 {
     const Node& old = node(id);
@@ -192,6 +203,22 @@ void Scene::set(MeshId id, MeshObject object)
 void Scene::set(MaterialId id, Material material)
 {
     materials_.at(id) = std::make_shared<const Material>(std::move(material));
+}
+void Scene::set(SkinId id, Skin skin)
+{
+    skins_.at(id) = std::make_shared<const Skin>(std::move(skin));
+}
+void Scene::set(ClipId id, Clip clip)
+{
+    clips_.at(id) = std::make_shared<const Clip>(std::move(clip));
+}
+void Scene::set(TerrainId id, TerrainObject terrain)
+{
+    terrains_.at(id) = std::make_shared<const TerrainObject>(std::move(terrain));
+}
+void Scene::remove(ClipId id)
+{
+    clips_.erase(id);
 }
 
 void Scene::unlink(NodeId id)
@@ -219,6 +246,27 @@ void Scene::remove(NodeId id)
         nodes_.erase(n);
     }
     dropUnused();
+    dropDeadChannels();
+}
+
+// Channels whose node is gone, and clips that drive nothing any more. Skins keep their slots: a joint that is gone stands still.
+void Scene::dropDeadChannels()
+{
+    const auto dead = [&](const std::shared_ptr<const Channel>& c) { return !find(c->node); };
+    for (auto i = clips_.begin(); i != clips_.end();) {
+        const Clip& clip = *i->second;
+        const bool some = std::any_of(clip.channels.begin(), clip.channels.end(), dead);
+        if (!some) {
+            ++i;
+            continue;
+        }
+        Clip kept = clip;
+        std::erase_if(kept.channels, dead);
+        if (kept.channels.empty())
+            i = clips_.erase(i);
+        else
+            (i++)->second = std::make_shared<const Clip>(std::move(kept));
+    }
 }
 
 void Scene::dropUnused()
@@ -226,8 +274,16 @@ void Scene::dropUnused()
     std::set<MeshId> meshes;
     std::set<MaterialId> materials;
     std::set<ImageId> images;
-    for (const auto& [id, n] : nodes_) meshes.insert(n->mesh);
+    std::set<SkinId> skins;
+    std::set<TerrainId> terrains;
+    for (const auto& [id, n] : nodes_) {
+        meshes.insert(n->mesh);
+        skins.insert(n->skin);
+        terrains.insert(n->terrain);
+    }
     std::erase_if(meshes_, [&](const auto& m) { return !meshes.contains(m.first); });
+    std::erase_if(skins_, [&](const auto& k) { return !skins.contains(k.first); });
+    std::erase_if(terrains_, [&](const auto& t) { return !terrains.contains(t.first); });
     for (const auto& [id, m] : meshes_) materials.insert(m->materials.begin(), m->materials.end());
     std::erase_if(materials_, [&](const auto& m) { return !materials.contains(m.first); });
     for (const auto& [id, m] : materials_)
@@ -272,10 +328,28 @@ std::vector<NodeId> Scene::merge(const Scene& other)
         for (Modifier& m : o.stack) m.id = moved(m.id);
         meshes_[moved(id)] = std::make_shared<const MeshObject>(std::move(o));
     }
+    for (const auto& [id, skin] : other.skins_) {
+        Skin k = *skin;
+        for (NodeId& j : k.joints) j = moved(j);
+        k.skeleton = moved(k.skeleton);
+        skins_[moved(id)] = std::make_shared<const Skin>(std::move(k));
+    }
+    for (const auto& [id, clip] : other.clips_) {
+        Clip c = *clip;
+        for (auto& channel : c.channels) {
+            Channel changed = *channel;
+            changed.node = moved(changed.node);
+            channel = std::make_shared<const Channel>(std::move(changed));
+        }
+        clips_[moved(id)] = std::make_shared<const Clip>(std::move(c));
+    }
+    for (const auto& [id, terrain] : other.terrains_) terrains_[moved(id)] = terrain;
     for (const auto& [id, node] : other.nodes_) {
         Node n = *node;
         n.parent = moved(n.parent);
         n.mesh = moved(n.mesh);
+        n.skin = moved(n.skin);
+        n.terrain = moved(n.terrain);
         for (NodeId& c : n.children) c = moved(c);
         nodes_[moved(id)] = std::make_shared<const Node>(std::move(n));
     }
@@ -294,6 +368,15 @@ size_t Scene::bytes() const
         if (seen.insert(m.get()).second) total += m->base.bytes();
     for (const auto& [id, i] : images_)
         if (i->bytes && seen.insert(i->bytes.get()).second) total += i->bytes->size();
+    for (const auto& [id, c] : clips_)
+        for (const auto& channel : c->channels)
+            if (seen.insert(channel.get()).second) total += channel->values.bytes();
+    for (const auto& [id, t] : terrains_) {
+        const HeightMap& map = t->terrain.map;
+        for (uint32_t y = 0; y < map.tilesY(); ++y)
+            for (uint32_t x = 0; x < map.tilesX(); ++x)
+                if (seen.insert(map.tile(x, y).id()).second) total += map.tile(x, y).bytes();
+    }
     return total;
 }
 
@@ -311,6 +394,9 @@ Scene Scene::restored(Parts parts)
     take(parts.materials, s.materials_);
     take(parts.meshes, s.meshes_);
     take(parts.nodes, s.nodes_);
+    take(parts.skins, s.skins_);
+    take(parts.clips, s.clips_);
+    take(parts.terrains, s.terrains_);
     for (const auto& [id, m] : s.meshes_)
         for (const Modifier& modifier : m->stack) s.next_ = std::max(s.next_, modifier.id.value + 1);
     s.roots_ = std::move(parts.roots);
@@ -329,11 +415,21 @@ void Scene::checkTree() const
         const Node* n = find(id);
         if (!n || !seen.insert(id).second) throw Error("node " + std::to_string(id.value) + " is missing or has two parents");
         if (n->mesh && !find(n->mesh)) throw Error("node \"" + n->name + "\" shows a mesh that is not there");
+        if (n->skin && !find(n->skin)) throw Error("node \"" + n->name + "\" has a skin that is not there");
+        if (n->terrain && !find(n->terrain)) throw Error("node \"" + n->name + "\" shows a terrain that is not there");
         for (NodeId c : n->children)
             if (!find(c) || find(c)->parent != id) throw Error("node \"" + n->name + "\" has a child that does not know it");
         open.insert(open.end(), n->children.begin(), n->children.end());
     }
     if (seen.size() != nodes_.size()) throw Error("some nodes hang nowhere in the tree");
+    for (const auto& [id, skin] : skins_) {
+        if (skin->joints.size() != skin->inverseBind.size()) throw Error("skin \"" + skin->name + "\" has not one matrix a joint");
+        for (NodeId j : skin->joints)
+            if (!find(j)) throw Error("skin \"" + skin->name + "\" has a joint that is not there");
+    }
+    for (const auto& [id, clip] : clips_)
+        for (const auto& channel : clip->channels)
+            if (!find(channel->node)) throw Error("clip \"" + clip->name + "\" drives a node that is not there");
 }
 
 uint64_t contentHash(const Scene& s)
@@ -342,6 +438,8 @@ uint64_t contentHash(const Scene& s)
     for (NodeId id : s.nodes()) {
         const Node& n = s.node(id);
         h.add(id.value).add(n.parent.value).add(n.mesh.value).add(n.visible).add(n.name).add(n.extras);
+        h.add(n.skin.value).add(n.terrain.value).add(int(n.joint)).add(n.morphWeights.size());
+        for (const double w : n.morphWeights) h.add(w);
         for (int i = 0; i < 3; ++i) h.add(n.local.translation[i]).add(n.local.scale[i]);
         h.add(n.local.rotation.w).add(n.local.rotation.x).add(n.local.rotation.y).add(n.local.rotation.z);
     }
@@ -363,6 +461,12 @@ uint64_t contentHash(const Scene& s)
         const Image& i = *s.find(id);
         h.add(id.value).add(i.name).add(i.mimeType);
         if (i.bytes) h.bytes(i.bytes->data(), i.bytes->size());
+    }
+    for (SkinId id : s.skins()) h.add(id.value).add(contentHash(*s.find(id)));
+    for (ClipId id : s.clips()) h.add(id.value).add(contentHash(*s.find(id)));
+    for (TerrainId id : s.terrains()) {
+        const TerrainObject& t = *s.find(id);
+        h.add(id.value).add(contentHash(t.terrain)).add(t.sourceOperation).add(t.sourceValues);
     }
     return h.value();
 }

@@ -45,7 +45,10 @@ TEST(Project, KeepsEveryTypeAndOrder)
 {
     Scene s = test::richScene();
     // Ids with gaps, children in an order of their own, numbers JSON has no word for.
-    const NodeId extra = s.add(Node{"extra", {}, {}, {}, true, {}, "[1]"});
+    Node noted;
+    noted.name = "extra";
+    noted.extras = "[1]";
+    const NodeId extra = s.add(noted);
     const NodeId first = s.roots()[0];
     s.reparent(first, extra);
     s.remove(s.roots()[0]);

@@ -99,12 +99,12 @@ struct ViewOptions {
 struct Frame {
     Camera camera;
     ViewOptions options;
-    std::vector<DrawObject> objects;
-    std::vector<DrawTerrain> terrains;
-    std::vector<DrawBone> bones;
-    std::vector<Mark> marks;
-    std::vector<MarkPoint> points;
-    std::vector<Label> labels;
+    std::vector<DrawObject> objects = {};
+    std::vector<DrawTerrain> terrains = {};
+    std::vector<DrawBone> bones = {};
+    std::vector<Mark> marks = {};
+    std::vector<MarkPoint> points = {};
+    std::vector<Label> labels = {};
 };
 
 /// All visible nodes of a scene at a pose. `shown` gives the mesh to draw of each mesh object.

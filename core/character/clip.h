@@ -48,9 +48,11 @@ size_t keyCount(const Clip& c);
 size_t byteSize(const Clip& c);
 uint64_t contentHash(const Clip& c);
 
-/// The value of a channel at a time, `components` numbers into `out`; before the first and after the last key it holds. Rotations are unit.
+/// The value of a channel at a time, `components` numbers into `out`; before the first and after the last key it holds; of
+/// keys at one time the last counts. Rotations are unit. A channel without keys leaves `out` as it is.
 void sample(const Channel& c, double time, double* out);
-/// A node's transform at a time, from its rest and the channels that drive it, in clip order. Weights channels are passed over.
+/// A node's transform at a time, from its rest and the channels that drive it, in clip order. Weights channels are passed over. Angles replace
+/// the rest's rotation.
 Transform sampled(const Transform& rest, std::span<const Channel* const> channels, double time);
 
 }  // namespace mw

@@ -17,8 +17,9 @@ struct Brush {
 /// Share of the strength at a distance from the middle, 0 to 1 of the radius.
 double falloffAt(Brush::Falloff f, double distance);
 
-/// Dabs along a polyline of places (local x, z, metres). `carry` is the way since the last dab, so that a stroke in pieces gives the same
-/// dabs as in one go; begin with a negative number: the first place gets a dab. Tiles that no dab reaches are shared.
+/// Dabs along a polyline of places (local x, z, metres). `carry` is the way since the last dab; begin with a negative number: the first
+/// place gets a dab. A stroke in pieces, each beginning at the last place of the piece before, gives to the bit what it gives in one go.
+/// Tiles that no dab reaches are shared.
 HeightMap stroked(const Terrain& t, const Brush& brush, std::span<const glm::dvec2> places, double& carry);
 
 }  // namespace mw

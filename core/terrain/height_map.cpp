@@ -1,11 +1,32 @@
 #include "core/terrain/height_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/math/hash.h"
 
 namespace mw {
+
+namespace {
+
+/// Of the part of a tile that is on the map: first column by column, which vectorises.
+std::pair<float, float> rangeOf(std::span<const float> tile, uint32_t columns, uint32_t lines)
+{
+    std::array<float, HeightMap::tileSize> least, most;
+    least.fill(tile[0]);
+    most.fill(tile[0]);
+    for (uint32_t y = 0; y < lines; ++y) {
+        const float* row = tile.data() + size_t(y) * HeightMap::tileSize;
+        for (uint32_t x = 0; x < columns; ++x) {
+            least[x] = row[x] < least[x] ? row[x] : least[x];
+            most[x] = row[x] > most[x] ? row[x] : most[x];
+        }
+    }
+    return {*std::min_element(least.begin(), least.begin() + columns), *std::max_element(most.begin(), most.begin() + columns)};
+}
+
+}  // namespace
 
 HeightMap::HeightMap(uint32_t width, uint32_t height, std::span<const float> rows) : width_(width), height_(height)
 {
@@ -15,6 +36,7 @@ HeightMap::HeightMap(uint32_t width, uint32_t height, std::span<const float> row
             const uint32_t columns = std::min(tileSize, width - tx * tileSize), lines = std::min(tileSize, height - ty * tileSize);
             for (uint32_t y = 0; y < lines; ++y)
                 std::copy_n(rows.data() + size_t(ty * tileSize + y) * width + tx * tileSize, columns, tile.data() + size_t(y) * tileSize);
+            ranges_.push_back(rangeOf(tile, columns, lines));
             tiles_.push_back(std::move(tile));
         }
 }
@@ -26,14 +48,22 @@ HeightMap HeightMap::flat(uint32_t width, uint32_t height, float value)
     m.height_ = height;
     const Shared<float> tile(Array<float>(size_t(tileSize) * tileSize, value));
     m.tiles_.assign(size_t(m.tilesX()) * m.tilesY(), tile);
+    m.ranges_.assign(m.tiles_.size(), {value, value});
     return m;
 }
 
 HeightMap HeightMap::withTile(uint32_t tx, uint32_t ty, Array<float> heights) const
 {
     HeightMap m = *this;
-    m.tiles_[ty * tilesX() + tx] = std::move(heights);
+    m.setTile(tx, ty, std::move(heights));
     return m;
+}
+
+void HeightMap::setTile(uint32_t tx, uint32_t ty, Array<float> heights)
+{
+    const size_t i = size_t(ty) * tilesX() + tx;
+    ranges_[i] = rangeOf(heights, std::min(tileSize, width_ - tx * tileSize), std::min(tileSize, height_ - ty * tileSize));
+    tiles_[i] = std::move(heights);
 }
 
 double HeightMap::sample(double u, double v) const
@@ -58,10 +88,10 @@ Array<float> HeightMap::rows() const
 
 std::pair<float, float> HeightMap::range() const
 {
-    const Array<float> all = rows();
-    if (all.empty()) return {0.f, 0.f};
-    const auto [least, most] = std::minmax_element(all.begin(), all.end());
-    return {*least, *most};
+    if (ranges_.empty()) return {0.f, 0.f};
+    std::pair<float, float> all = ranges_[0];
+    for (const auto& [least, most] : ranges_) all = {std::min(all.first, least), std::max(all.second, most)};
+    return all;
 }
 
 size_t HeightMap::bytes() const

@@ -29,17 +29,21 @@ public:
     /// tileSize * tileSize floats, row by row; what lies beyond the map is 0.
     const Shared<float>& tile(uint32_t tx, uint32_t ty) const { return tiles_[ty * tilesX() + tx]; }
     HeightMap withTile(uint32_t tx, uint32_t ty, Array<float> heights) const;
+    void setTile(uint32_t tx, uint32_t ty, Array<float> heights);  ///< for edits of many tiles: the other tiles stay shared with copies
+    /// Least and greatest height of a tile's samples; known, not searched.
+    std::pair<float, float> range(uint32_t tx, uint32_t ty) const { return ranges_[ty * tilesX() + tx]; }
 
     float at(uint32_t x, uint32_t y) const { return tile(x / tileSize, y / tileSize)[(y % tileSize) * tileSize + x % tileSize]; }
     /// Bilinear between samples; u, v in 0..1 from the first to the last sample, clamped.
     double sample(double u, double v) const;
     Array<float> rows() const;
-    std::pair<float, float> range() const;  ///< least and greatest height
+    std::pair<float, float> range() const;  ///< of all
     size_t bytes() const;                   ///< of all tiles
 
 private:
     uint32_t width_ = 0, height_ = 0;
     std::vector<Shared<float>> tiles_;
+    std::vector<std::pair<float, float>> ranges_;
 };
 size_t byteSize(const HeightMap& m);
 uint64_t contentHash(const HeightMap& m);

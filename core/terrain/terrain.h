@@ -30,9 +30,10 @@ struct Terrain {
         bool operator==(const Layers&) const = default;
     } layers;
 
-    glm::dvec2 size() const;                        ///< x and z, metres
-    double heightAt(double x, double z) const;      ///< bilinear, clamped at the border
-    glm::dvec3 normalAt(double x, double z) const;  ///< unit, from four samples around
+    glm::dvec2 size() const;                    ///< x and z, metres
+    double heightAt(double x, double z) const;  ///< bilinear, clamped at the border
+    /// Unit, by (5.7): from four places a spacing of samples away along both axes, on the border at it.
+    glm::dvec3 normalAt(double x, double z) const;
     /// First meeting of a ray with the surface; `direction` need not be unit. Local space.
     std::optional<glm::dvec3> meet(glm::dvec3 origin, glm::dvec3 direction) const;
 };

@@ -1,8 +1,11 @@
 // The focus of a step as marks: each role has its shape as well as its colour.
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "render/colors.h"
+#include "render/height_grid.h"
+#include "render/value_frame.h"
 
 namespace mw {
 namespace {
@@ -64,36 +67,100 @@ Look faceLook(Role r)
     return {1, 0.5f};
 }
 
-/// Focus entries that are elements of the mesh, corners as their vertices.
-bool elementOf(const Focus& f, const Mesh& mesh, ElementKind& kind, std::vector<uint32_t>& indices)
+/// What a focus can be about in a value: places of vertices (samples, points, joints), and which of them a face (a cell) has.
+struct Elements {
+    size_t vertices = 0, faces = 0;
+    ElementKind vertexKind = ElementKind::Vertex, faceKind = ElementKind::Face;
+    bool marked = false;   ///< drawn as a mesh of these very vertices and faces, on which marks may lie
+    bool through = false;  ///< seen through surfaces
+    std::function<glm::dvec3(uint32_t)> vertex = {};
+    std::function<std::vector<uint32_t>(uint32_t)> face = {};
+    std::function<glm::dvec3(glm::dvec3)> place = {};  ///< of points and segments; none: as they are
+};
+
+Elements elementsOf(const Mesh& mesh)
 {
-    kind = f.kind;
-    switch (f.kind) {
-        case ElementKind::Vertex:
-            indices = {f.index};
-            return f.index < mesh.vertexCount();
-        case ElementKind::Edge:
-            indices = {f.index, f.other};
-            return f.index < mesh.vertexCount() && f.other < mesh.vertexCount();
-        case ElementKind::Face:
-            indices = {f.index};
-            return f.index < mesh.faceCount();
-        case ElementKind::Corner:
-            if (f.index >= mesh.cornerCount()) return false;
-            kind = ElementKind::Vertex;
-            indices = {mesh.cornerVertex()[f.index]};
-            return true;
-        default:
-            return false;
-    }
+    Elements e;
+    e.vertices = mesh.vertexCount();
+    e.faces = mesh.faceCount();
+    e.marked = true;
+    e.vertex = [mesh](uint32_t v) { return glm::dvec3(mesh.positions()[v]); };
+    e.face = [mesh](uint32_t f) { return std::vector<uint32_t>(mesh.face(f).begin(), mesh.face(f).end()); };
+    return e;
 }
 
-glm::dvec3 placeOf(const Mesh& mesh, ElementKind kind, const std::vector<uint32_t>& indices)
+Elements elementsOf(const HeightMap& map)
 {
-    const std::span<const uint32_t> vertices = kind == ElementKind::Face ? mesh.face(indices[0]) : std::span<const uint32_t>(indices);
+    Elements e;
+    if (map.empty()) return e;
+    const auto grid = std::make_shared<HeightGrid>(map);
+    const uint32_t width = map.width();
+    e.vertices = size_t(width) * map.height();
+    e.faces = size_t(width - 1) * (map.height() - 1);
+    e.faceKind = ElementKind::Cell;
+    e.marked = grid->stride() == 1;
+    e.vertex = [grid](uint32_t i) { return grid->sample(i); };
+    e.face = [width](uint32_t i) {
+        const uint32_t a = i / (width - 1) * width + i % (width - 1);
+        return std::vector<uint32_t>{a, a + width, a + width + 1, a + 1};
+    };
+    e.place = [grid](glm::dvec3 at) { return grid->place(at.x, at.y, at.z); };
+    return e;
+}
+
+Elements elementsOf(const Curve& curve)
+{
+    Elements e;
+    e.vertices = curve.points.size();
+    e.marked = true;
+    e.vertex = [&curve](uint32_t i) { return curve.points[i]; };
+    return e;
+}
+
+Elements elementsOf(const Pose& pose)
+{
+    Elements e;
+    e.vertices = pose.size();
+    e.vertexKind = ElementKind::Joint;
+    e.through = true;
+    e.vertex = [places = jointPlaces(pose)](uint32_t i) { return places[i]; };
+    return e;
+}
+
+template <class T>
+Elements elementsOf(const T&)
+{
+    return {};
+}
+
+/// One entry of a focus: the vertices it is about, or its places.
+struct Found {
+    enum class What { Nothing, Vertex, Edge, Face, Point, Segment } what = What::Nothing;
+    std::vector<uint32_t> vertices = {};
+    glm::dvec3 at{0}, to{0};
+};
+
+Found find(const Focus& f, const Elements& e, const Value& value)
+{
+    const auto in = [&](uint32_t v) { return v < e.vertices; };
+    const auto place = [&](const glm::vec3& p) { return e.place ? e.place(glm::dvec3(p)) : glm::dvec3(p); };
+    if (f.kind == ElementKind::Point) return {Found::What::Point, {}, place(f.at), {}};
+    if (f.kind == ElementKind::Segment) return {Found::What::Segment, {}, place(f.at), place(f.to)};
+    if (f.kind == e.vertexKind && in(f.index)) return {Found::What::Vertex, {f.index}, {}, {}};
+    if (f.kind == ElementKind::Edge && in(f.index) && in(f.other)) return {Found::What::Edge, {f.index, f.other}, {}, {}};
+    if (f.kind == e.faceKind && f.index < e.faces) return {Found::What::Face, e.face(f.index), {}, {}};
+    const Mesh* mesh = std::get_if<Mesh>(&value);
+    if (f.kind == ElementKind::Corner && mesh && f.index < mesh->cornerCount()) return {Found::What::Vertex, {mesh->cornerVertex()[f.index]}, {}, {}};
+    return {};
+}
+
+glm::dvec3 centreOf(const Found& f, const Elements& e)
+{
+    if (f.what == Found::What::Point) return f.at;
+    if (f.what == Found::What::Segment) return 0.5 * (f.at + f.to);
     glm::dvec3 sum(0);
-    for (const uint32_t v : vertices) sum += glm::dvec3(mesh.positions()[v]);
-    return vertices.empty() ? sum : sum / double(vertices.size());
+    for (const uint32_t v : f.vertices) sum += e.vertex(v);
+    return f.vertices.empty() ? sum : sum / double(f.vertices.size());
 }
 
 Mark makeMark(NodeId node, ElementKind kind, Role role)
@@ -108,38 +175,97 @@ Mark makeMark(NodeId node, ElementKind kind, Role role)
     return m;
 }
 
+/// Puts the marks of one focus into a frame.
+class Marker {
+public:
+    Marker(Frame& frame, const Value& value, NodeId node, const glm::dmat4& worldFromLocal)
+        : frame_(frame),
+          value_(value),
+          node_(node),
+          worldFromLocal_(worldFromLocal),
+          elements_(std::visit([](const auto& v) { return elementsOf(v); }, value))
+    {}
+    void add(const Focus& f)
+    {
+        const Found found = find(f, elements_, value_);
+        if (found.what == Found::What::Nothing) return;
+        const glm::vec4 color(roleColor(f.role), 1);
+        if (found.what == Found::What::Point)
+            point(found.at, f.role, f.role == Role::Neighbour ? 7.f : 11.f);
+        else if (found.what == Found::What::Segment)
+            segment(found.at, found.to, f.role);
+        else if (elements_.marked)
+            mark(found, f);
+        else
+            place(found, f.role);
+        if (f.label) frame_.labels.push_back({world(centreOf(found, elements_)), f.label, color});
+    }
+    void finish()
+    {
+        for (auto& [look, mark] : byLook_) frame_.marks.push_back(std::move(mark));
+    }
+
+private:
+    glm::vec3 world(glm::dvec3 p) const { return glm::vec3(worldFromLocal_ * glm::dvec4(p, 1)); }
+    void point(glm::dvec3 at, Role role, float diameter)
+    {
+        frame_.points.push_back({world(at), glm::vec4(roleColor(role), 1), diameter, {}, false, elements_.through});
+    }
+    void segment(glm::dvec3 a, glm::dvec3 b, Role role)
+    {
+        frame_.points.push_back({world(a), glm::vec4(roleColor(role), 1), edgeLook(role).width, world(b), role == Role::Rejected, elements_.through});
+    }
+    // On the mesh that is drawn. Later in this order is drawn over earlier: what the step is about comes last.
+    void mark(const Found& found, const Focus& f)
+    {
+        constexpr Role order[] = {Role::Neighbour, Role::Removed, Role::Rejected, Role::Current, Role::New};
+        const int rank = int(std::find(std::begin(order), std::end(order), f.role) - std::begin(order));
+        const ElementKind kind = found.what == Found::What::Vertex ? ElementKind::Vertex
+                                 : found.what == Found::What::Edge ? ElementKind::Edge
+                                                                   : ElementKind::Face;
+        Mark& m = byLook_.try_emplace({rank, kind}, makeMark(node_, kind, f.role)).first->second;
+        if (kind == ElementKind::Face)
+            m.indices.push_back(f.index);
+        else
+            m.indices.insert(m.indices.end(), found.vertices.begin(), found.vertices.end());
+    }
+    void place(const Found& found, Role role)
+    {
+        const std::vector<uint32_t>& v = found.vertices;
+        if (found.what == Found::What::Vertex) return point(elements_.vertex(v[0]), role, vertexLook(role).width);
+        const size_t sides = found.what == Found::What::Edge ? 1 : v.size();
+        for (size_t i = 0; i < sides; ++i) segment(elements_.vertex(v[i]), elements_.vertex(v[(i + 1) % v.size()]), role);
+    }
+
+    Frame& frame_;
+    const Value& value_;
+    NodeId node_;
+    const glm::dmat4& worldFromLocal_;
+    Elements elements_;
+    std::map<std::pair<int, ElementKind>, Mark> byLook_;
+};
+
 }  // namespace
 
-void addFocus(const StepRecord& step, const Mesh& mesh, NodeId node, const glm::dmat4& worldFromLocal, std::vector<Mark>& marks,
-              std::vector<MarkPoint>& points, std::vector<Label>& labels)
+void addFocus(Frame& frame, const StepRecord& step, const Value& value, NodeId node, const glm::dmat4& worldFromLocal)
 {
-    const auto world = [&](glm::dvec3 p) { return glm::vec3(worldFromLocal * glm::dvec4(p, 1)); };
-    // Later in this order is drawn over earlier: what the step is about comes last.
-    constexpr Role order[] = {Role::Neighbour, Role::Removed, Role::Rejected, Role::Current, Role::New};
-    std::map<std::pair<int, ElementKind>, Mark> byLook;
+    Marker marker(frame, value, node, worldFromLocal);
+    for (const Focus& f : step.focus) marker.add(f);
+    marker.finish();
+}
+
+Bounds focusBounds(const StepRecord& step, const Value& value, const glm::dmat4& worldFromLocal)
+{
+    Bounds b;
+    const Elements e = std::visit([](const auto& v) { return elementsOf(v); }, value);
+    const auto add = [&](glm::dvec3 p) { b.add(glm::dvec3(worldFromLocal * glm::dvec4(p, 1))); };
     for (const Focus& f : step.focus) {
-        const int rank = int(std::find(std::begin(order), std::end(order), f.role) - std::begin(order));
-        const glm::vec4 color(roleColor(f.role), 1);
-        ElementKind kind{};
-        std::vector<uint32_t> indices;
-        glm::vec3 labelAt{0};
-        if (f.kind == ElementKind::Point) {
-            labelAt = world(f.at);
-            points.push_back({labelAt, color, f.role == Role::Neighbour ? 7.f : 11.f, {}, false});
-        } else if (f.kind == ElementKind::Segment) {
-            const glm::vec3 a = world(f.at), b = world(f.to);
-            labelAt = 0.5f * (a + b);
-            points.push_back({a, color, edgeLook(f.role).width, b, f.role == Role::Rejected});
-        } else if (elementOf(f, mesh, kind, indices)) {
-            Mark& m = byLook.try_emplace({rank, kind}, makeMark(node, kind, f.role)).first->second;
-            m.indices.insert(m.indices.end(), indices.begin(), indices.end());
-            labelAt = world(placeOf(mesh, kind, indices));
-        } else {
-            continue;
-        }
-        if (f.label) labels.push_back({labelAt, f.label, color});
+        const Found found = find(f, e, value);
+        if (found.what == Found::What::Point || found.what == Found::What::Segment) add(found.at);
+        if (found.what == Found::What::Segment) add(found.to);
+        for (const uint32_t v : found.vertices) add(e.vertex(v));
     }
-    for (auto& [look, mark] : byLook) marks.push_back(std::move(mark));
+    return b;
 }
 
 }  // namespace mw

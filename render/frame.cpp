@@ -48,6 +48,10 @@ Bounds boundsOf(const Frame& frame)
             all.add(glm::dvec3(o.worldFromLocal * corner));
         }
     }
+    for (const DrawBone& b : frame.bones) {
+        all.add(glm::dvec3(b.head));
+        all.add(glm::dvec3(b.tail));
+    }
     return all;
 }
 
@@ -56,6 +60,10 @@ void frameTightly(Frame& frame, double aspect)
     CameraFit fit(frame.camera, aspect);
     for (const DrawObject& o : frame.objects)
         for (const glm::vec3& p : o.mesh.positions()) fit.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(p), 1)));
+    for (const DrawBone& b : frame.bones) {
+        fit.add(glm::dvec3(b.head));
+        fit.add(glm::dvec3(b.tail));
+    }
     for (const Label& l : frame.labels) fit.add(glm::dvec3(l.atWorld));
     fit.apply(frame.camera);
     frame.camera.fitClip(boundsOf(frame));

@@ -111,13 +111,13 @@ void drawPlaces(DrawContext& c)
     const auto one = [&](const MarkPoint& m, unsigned variant, ProgramId program, GLenum primitive, std::span<const glm::vec3> at, float width) {
         ObjectBlock b = c.blockOf(glm::translate(glm::dmat4(1), origin));
         b.mark = m.color;
-        b.stroke = {width, m.dashed && primitive == GL_LINES ? 1.f : 0.f, 0, 0};
+        b.stroke = {width, m.dashed && primitive == GL_LINES ? 1.f : 0.f, m.through ? 1.f : 0.f, 0};
         c.use(program, variant);
         c.setObject(b);
         gl::stream(c.gpu.transient, at);
         c.clearAttributes();
         gl::attribute({0, c.gpu.transient.get()});
-        glDepthFunc(GL_LEQUAL);
+        glDepthFunc(m.through ? GL_ALWAYS : GL_LEQUAL);
         glDrawArrays(primitive, 0, GLsizei(at.size()));
     };
     for (const MarkPoint& m : c.frame.points) {

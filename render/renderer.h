@@ -80,11 +80,8 @@ struct MarkPoint {
     float diameter = 8;                ///< or width of the line, logical pixels
     std::optional<glm::vec3> toWorld;  ///< makes it a segment
     bool dashed = false;
+    bool through = false;  ///< drawn through what hides it
 };
-
-/// The marks of a step's focus by role: shape as well as colour (ui/UI.md 5).
-void addFocus(const StepRecord& step, const Mesh& mesh, NodeId node, const glm::dmat4& worldFromLocal, std::vector<Mark>& marks,
-              std::vector<MarkPoint>& points, std::vector<Label>& labels);
 
 struct ViewOptions {
     Shading shading = Shading::Smooth;

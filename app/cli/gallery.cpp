@@ -11,6 +11,7 @@
 #include "app/cli/verb.h"
 #include "core/steps/stepper.h"
 #include "render/offscreen.h"
+#include "render/value_frame.h"
 
 namespace mw::cli {
 
@@ -163,7 +164,7 @@ void putStep(Frame& f, std::string_view id, const Mesh& input, const ParameterVa
     const Value value = valueOf(stepper.value());
     const Mesh mesh = std::holds_alternative<Mesh>(value) ? std::get<Mesh>(value) : input;
     const DrawObject o = put(f, mesh, "Step " + std::to_string(step.index) + ": " + faces(mesh));
-    addFocus(step, mesh, o.node, o.worldFromLocal, f.marks, f.points, f.labels);
+    addFocus(f, step, mesh, o.node, o.worldFromLocal);
     Bounds focus;
     for (const Mark& m : f.marks)
         for (const uint32_t i : m.indices)

@@ -1,5 +1,10 @@
 #include "core/character/pose.h"
 
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "core/error.h"
 #include "core/math/hash.h"
 
 namespace mw {
@@ -19,6 +24,53 @@ std::vector<glm::dvec3> jointPlaces(const Pose& p)
     std::vector<glm::dvec3> places;
     for (const glm::dmat4& m : worldMatrices(p)) places.emplace_back(m[3]);
     return places;
+}
+
+namespace {
+
+std::string lower(std::string_view s)
+{
+    std::string out(s);
+    std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return out;
+}
+
+// Joints that have the text in their name, or all when none has; a few of them.
+std::string namesNear(const Skeleton& s, std::string_view wanted)
+{
+    constexpr size_t most = 12;
+    std::vector<std::string_view> near;
+    for (const bool any : {false, true}) {
+        for (const Joint& j : s.joints)
+            if (any || lower(j.name).find(lower(wanted)) != std::string::npos) near.push_back(j.name);
+        if (!near.empty()) break;
+    }
+    std::string list;
+    for (size_t i = 0; i < std::min(most, near.size()); ++i) list += (i ? ", " : "") + std::string(near[i]);
+    return list + (near.size() > most ? ", ..." : "");
+}
+
+}  // namespace
+
+uint32_t jointOf(const Skeleton& s, std::string_view name)
+{
+    if (s.joints.empty()) throw Error("there is no joint \"" + std::string(name.substr(0, 64)) + "\"; the skeleton is empty");
+    std::vector<uint32_t> same;
+    for (uint32_t i = 0; i < s.joints.size(); ++i)
+        if (s.joints[i].name == name) same.push_back(i);
+    if (same.size() == 1) return same[0];
+    if (same.size() > 1) {
+        std::string list;
+        for (const uint32_t i : same) list += (list.empty() ? "#" : ", #") + std::to_string(i);
+        throw Error(std::to_string(same.size()) + " joints are called \"" + std::string(name) + "\": give one by its number, " + list);
+    }
+    uint32_t index = 0;
+    if (name.size() > 1 && name[0] == '#') {
+        const auto [end, failure] = std::from_chars(name.data() + 1, name.data() + name.size(), index);
+        if (failure == std::errc() && end == name.data() + name.size() && index < s.joints.size()) return index;
+        throw Error("there is no joint " + std::string(name) + "; the skeleton has #0 to #" + std::to_string(s.joints.size() - 1));
+    }
+    throw Error("there is no joint \"" + std::string(name.substr(0, 64)) + "\"; there are " + namesNear(s, name));
 }
 
 size_t byteSize(const Pose& p)

@@ -4,6 +4,7 @@
 
 #include "render/colors.h"
 #include "render/overlay.h"
+#include "render/value_frame.h"
 
 #include "shapes.h"
 
@@ -19,25 +20,123 @@ TEST(Focus, RolesDifferInShapeAndColour)
                   {ElementKind::Vertex, Role::Neighbour, nullptr, 2, 0, {}, {}}, {ElementKind::Face, Role::Removed, nullptr, 1, 0, {}, {}},
                   {ElementKind::Edge, Role::Rejected, nullptr, 0, 1, {}, {}},    {ElementKind::Point, Role::New, "p", 0, 0, {0, 2, 0}, {}},
                   {ElementKind::Vertex, Role::Current, "gone", 999, 0, {}, {}}};
-    std::vector<Mark> marks;
-    std::vector<MarkPoint> points;
-    std::vector<Label> labels;
+    Frame frame;
     glm::dmat4 world(1);
     world[3] = {10, 0, 0, 1};
-    addFocus(step, quadCube(), NodeId{3}, world, marks, points, labels);
-    ASSERT_EQ(marks.size(), 4u);
-    for (const Mark& m : marks) {
+    addFocus(frame, step, quadCube(), NodeId{3}, world);
+    ASSERT_EQ(frame.marks.size(), 4u);
+    for (const Mark& m : frame.marks) {
         EXPECT_EQ(m.node, NodeId{3});
         EXPECT_TRUE(m.kind != ElementKind::Vertex || m.indices == (std::vector<uint32_t>{1, 2}));
         EXPECT_EQ(m.style == Mark::Style::Hatched, m.kind == ElementKind::Face);
         EXPECT_EQ(m.style == Mark::Style::Dashed, m.kind == ElementKind::Edge && m.indices[0] == 0);
     }
-    ASSERT_EQ(points.size(), 1u);
-    EXPECT_EQ(points[0].atWorld, glm::vec3(10, 2, 0));
-    ASSERT_EQ(labels.size(), 2u);
-    EXPECT_EQ(labels[0].text, "e");
-    EXPECT_EQ(labels[0].atWorld, glm::vec3(10, -1, 1));  // the middle of the edge
-    EXPECT_EQ(glm::vec3(labels[0].color), roleColor(Role::Current));
+    ASSERT_EQ(frame.points.size(), 1u);
+    EXPECT_EQ(frame.points[0].atWorld, glm::vec3(10, 2, 0));
+    ASSERT_EQ(frame.labels.size(), 2u);
+    EXPECT_EQ(frame.labels[0].text, "e");
+    EXPECT_EQ(frame.labels[0].atWorld, glm::vec3(10, -1, 1));  // the middle of the edge
+    EXPECT_EQ(glm::vec3(frame.labels[0].color), roleColor(Role::Current));
+}
+
+// Two links along x from the origin, each 1 long, and a target above the end.
+Pose arm()
+{
+    Skeleton s;
+    for (uint32_t i = 0; i < 3; ++i) s.joints.push_back({"j" + std::to_string(i), i ? i - 1 : none, {}, NodeId{i + 1}, false});
+    Pose p;
+    p.skeleton = std::make_shared<Skeleton>(s);
+    p.locals.resize(3);
+    p.locals[1].translation = p.locals[2].translation = {1, 0, 0};
+    p.targets = {{2, {2, 1, 0}}};
+    return p;
+}
+
+TEST(Focus, JointsOfAPoseAreMarkedWhereTheyStand)
+{
+    StepRecord step;
+    step.focus = {{ElementKind::Joint, Role::Current, "e", 2, 0, {}, {}},
+                  {ElementKind::Edge, Role::New, nullptr, 0, 1, {}, {}},
+                  {ElementKind::Joint, Role::Current, nullptr, 3, 0, {}, {}},
+                  {ElementKind::Vertex, Role::Current, nullptr, 0, 0, {}, {}}};
+    Frame frame;
+    addFocus(frame, step, arm(), {}, glm::dmat4(1));
+    ASSERT_EQ(frame.points.size(), 2u);
+    EXPECT_EQ(frame.points[0].atWorld, glm::vec3(2, 0, 0));
+    EXPECT_TRUE(frame.points[0].through);
+    EXPECT_EQ(frame.points[1].toWorld, glm::vec3(1, 0, 0));
+    const Bounds b = focusBounds(step, arm(), glm::dmat4(1));
+    EXPECT_EQ(b.min, glm::dvec3(0));
+    EXPECT_EQ(b.max, glm::dvec3(2, 0, 0));
+}
+
+TEST(Focus, SamplesAndCellsOfAHeightMap)
+{
+    StepRecord step;
+    step.focus = {{ElementKind::Vertex, Role::Current, nullptr, 4, 0, {}, {}},
+                  {ElementKind::Cell, Role::Neighbour, nullptr, 3, 0, {}, {}},
+                  {ElementKind::Cell, Role::Neighbour, nullptr, 4, 0, {}, {}}};
+    const HeightMap small = HeightMap::flat(3, 3, 1);
+    Frame frame;
+    addValue(frame, small, NodeId{1}, glm::dmat4(1));
+    addFocus(frame, step, small, NodeId{1}, glm::dmat4(1));
+    ASSERT_EQ(frame.marks.size(), 2u);
+    EXPECT_EQ(frame.marks[0].indices, std::vector<uint32_t>{3});
+    // Face 3 of the grid has the four samples of cell 3.
+    const Mesh& grid = frame.objects.at(0).mesh;
+    Bounds cell;
+    for (const uint32_t v : grid.face(3)) cell.add(glm::dvec3(grid.positions()[v]));
+    EXPECT_EQ(cell.min.x, 0);
+    EXPECT_EQ(cell.min.z, 0);
+    EXPECT_EQ(cell.max.x, 0.5);
+    EXPECT_GT(grid.faceNormals()[3].y, 0.99f);
+
+    // One too large to be drawn sample by sample: marks by place.
+    const HeightMap large = HeightMap::flat(1025, 1025, 0);
+    Frame far;
+    addValue(far, large, NodeId{1}, glm::dmat4(1));
+    addFocus(far, step, large, NodeId{1}, glm::dmat4(1));
+    EXPECT_TRUE(far.marks.empty());
+    EXPECT_EQ(far.points.size(), 1u + 4 + 4);
+    EXPECT_LE(far.objects.at(0).mesh.faceCount(), 256u * 256);
+}
+
+TEST(Values, EachKindIsDrawnWithinItsBounds)
+{
+    Frame frame;
+    addValue(frame, arm(), NodeId{9}, glm::dmat4(1));
+    ASSERT_EQ(frame.bones.size(), 3u);  // two links and the joint at their end
+    EXPECT_EQ(frame.bones[1].head, glm::vec3(1, 0, 0));
+    EXPECT_EQ(frame.bones[1].tail, glm::vec3(2, 0, 0));
+    EXPECT_EQ(frame.bones[1].node, NodeId{2});
+    EXPECT_EQ(boundsOf(frame).max, glm::dvec3(2, 0, 0));
+
+    Frame curve;
+    addValue(curve, Curve{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {2, 2, 0}}, true}, NodeId{9}, glm::dmat4(1));
+    ASSERT_EQ(curve.objects.size(), 2u);
+    EXPECT_EQ(curve.objects[1].mesh.lines().size(), 6u);  // closed
+    EXPECT_EQ(curve.objects[1].node, NodeId{9});
+    EXPECT_EQ(boundsOf(curve).max, glm::dvec3(2, 2, 0));
+
+    Rotations r;
+    r.to = aboutAxis(2, 1);
+    r.paths = {{"slerp", {{0, r.from, {}}, {0.5, aboutAxis(2, 0.5), {}}, {1, r.to, {}}}}};
+    Frame sphere;
+    addValue(sphere, r, NodeId{9}, glm::dmat4(1));
+    size_t path = 0;
+    for (const MarkPoint& p : sphere.points)
+        if (p.toWorld && p.diameter == 3) {
+            ++path;
+            EXPECT_NEAR(glm::length(p.atWorld), 1, 1e-6);  // traced on the sphere, in the plane of the turn
+            EXPECT_NEAR(p.atWorld.z, 0, 1e-6);
+        }
+    EXPECT_EQ(path, 2u);
+    for (const Value& none : {Value{}, Value{Table{}}, Value{ElementSet{}}}) {
+        Frame nothing;
+        addValue(nothing, none, NodeId{9}, glm::dmat4(1));
+        EXPECT_TRUE(nothing.objects.empty() && nothing.points.empty() && nothing.bones.empty());
+        EXPECT_FALSE(isDrawable(none));
+    }
 }
 
 TEST(HeatRange, LeavesOutTheExtremes)

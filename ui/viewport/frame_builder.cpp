@@ -1,6 +1,7 @@
 #include "ui/viewport/frame_builder.h"
 
 #include "render/colors.h"
+#include "render/value_frame.h"
 
 namespace mw {
 namespace {
@@ -38,7 +39,7 @@ void markFocus(const Session& s, Frame& frame)
             frame.options.wireOverlay = true;
             if (frame.options.shading == Shading::Smooth) frame.options.shading = Shading::Flat;
         }
-        addFocus(s.steps.step(), o.mesh, o.node, o.worldFromLocal, frame.marks, frame.points, frame.labels);
+        addFocus(frame, s.steps.step(), o.mesh, o.node, o.worldFromLocal);
     }
 }
 

@@ -115,6 +115,70 @@ json nodeOf(NodeId id, const Node& n)
              {"mesh", n.mesh.value}};
     for (const NodeId c : n.children) out["children"].push_back(c.value);
     if (!n.extras.empty()) out["extras"] = n.extras;
+    if (n.skin) out["skin"] = n.skin.value;
+    if (n.terrain) out["terrain"] = n.terrain.value;
+    if (n.joint != Node::Joint::No) out["joint"] = int(n.joint);
+    for (const double w : n.morphWeights) out["morphWeights"].push_back(exact(w));
+    return out;
+}
+
+json skinOf(GltfBuilder& builder, SkinId id, const Skin& s)
+{
+    json out{{"id", id.value}, {"name", s.name}, {"skeleton", s.skeleton.value}, {"joints", json::array()}};
+    for (const NodeId j : s.joints) out["joints"].push_back(j.value);
+    if (!s.inverseBind.empty()) out["inverseBind"] = builder.addArray(std::span(s.inverseBind));
+    return out;
+}
+
+// Arrays that channels share are written once.
+using NumberViews = std::map<const void*, size_t>;
+
+json clipOf(GltfBuilder& builder, NumberViews& known, ClipId id, const Clip& c)
+{
+    json out{{"id", id.value}, {"name", c.name}, {"frameTime", exact(c.frameTime)}, {"channels", json::array()}};
+    const auto array = [&](json& to, const char* key, const Shared<double>& numbers) {
+        if (numbers.empty()) return;
+        const auto [view, fresh] = known.try_emplace(numbers.id(), 0);
+        if (fresh) view->second = builder.addArray(numbers.span());
+        to[key] = view->second;
+    };
+    for (const auto& channel : c.channels) {
+        json entry{{"node", channel->node.value},
+                   {"path", int(channel->path)},
+                   {"interpolation", int(channel->interpolation)},
+                   {"components", channel->components}};
+        array(entry, "times", channel->times);
+        array(entry, "values", channel->values);
+        out["channels"].push_back(std::move(entry));
+    }
+    return out;
+}
+
+json terrainOf(GltfBuilder& builder, TerrainId id, const TerrainObject& o)
+{
+    const Terrain& t = o.terrain;
+    json out{{"id", id.value},
+             {"name", t.name},
+             {"width", t.map.width()},
+             {"height", t.map.height()},
+             {"extent", exact(t.extent)},
+             {"maximumHeight", exact(t.maximumHeight)},
+             {"waterLevel", exact(t.waterLevel)},
+             {"detail",
+              {{"patches", t.detail.patches},
+               {"nearLevel", exact(t.detail.nearLevel)},
+               {"farLevel", exact(t.detail.farLevel)},
+               {"nearDistance", exact(t.detail.nearDistance)},
+               {"farDistance", exact(t.detail.farDistance)},
+               {"corrected", t.detail.corrected}}},
+             {"layers",
+              {{"sandTo", exact(t.layers.sandTo)},
+               {"grassTo", exact(t.layers.grassTo)},
+               {"snowFrom", exact(t.layers.snowFrom)},
+               {"rockSlope", exact(t.layers.rockSlope)}}},
+             {"sourceOperation", o.sourceOperation},
+             {"sourceValues", valuesOf(o.sourceValues)}};
+    if (!t.map.empty()) out["heights"] = builder.addArray(std::span<const float>(t.map.rows()));
     return out;
 }
 
@@ -147,7 +211,8 @@ std::string coreHash(const json& root, size_t views, std::span<const uint8_t> by
 void addProject(GltfBuilder& builder, const Scene& scene, const std::map<const void*, size_t>& imageViews)
 {
     const size_t coreViews = builder.views(), coreBytes = builder.bin.size();
-    json project{{"version", 1}, {"core", {{"hash", coreHash(builder.root, coreViews, builder.bin)}, {"views", coreViews}, {"bytes", coreBytes}}}};
+    json project{{"version", projectVersion},
+                 {"core", {{"hash", coreHash(builder.root, coreViews, builder.bin)}, {"views", coreViews}, {"bytes", coreBytes}}}};
     for (const NodeId r : scene.roots()) project["roots"].push_back(r.value);
     for (const NodeId n : scene.nodes()) project["nodes"].push_back(nodeOf(n, scene.node(n)));
     for (const MeshId m : scene.meshes()) project["meshes"].push_back(meshOf(builder, m, *scene.find(m)));
@@ -161,6 +226,10 @@ void addProject(GltfBuilder& builder, const Scene& scene, const std::map<const v
             entry["view"] = builder.addView(*image.bytes);
         project["images"].push_back(std::move(entry));
     }
+    for (const SkinId k : scene.skins()) project["skins"].push_back(skinOf(builder, k, *scene.find(k)));
+    NumberViews numberViews;
+    for (const ClipId c : scene.clips()) project["clips"].push_back(clipOf(builder, numberViews, c, *scene.find(c)));
+    for (const TerrainId t : scene.terrains()) project["terrains"].push_back(terrainOf(builder, t, *scene.find(t)));
     builder.root["extensions"][projectExtension] = std::move(project);
     builder.root["extensionsUsed"].push_back(projectExtension);
 }

@@ -34,6 +34,13 @@ uint32_t idOf(const JsonPlace& place)
     return uint32_t(id);
 }
 
+/// 0 when it is not there.
+uint32_t idOf(const JsonPlace& owner, const char* key)
+{
+    const auto place = owner.find(key);
+    return place ? idOf(*place) : 0;
+}
+
 class ProjectReader {
 public:
     explicit ProjectReader(GltfDocument& document) : document_(document), top_(document.root()["extensions"][projectExtension]) {}
@@ -46,10 +53,17 @@ private:
     Attribute attribute(const JsonPlace& place, const Mesh& mesh);
     MeshObject object(const JsonPlace& place);
     Modifier modifier(const JsonPlace& place);
+    ParameterValues values(const JsonPlace& place);
     ParameterValue value(const JsonPlace& place);
     Material material(const JsonPlace& place);
     Material::Texture texture(const JsonPlace& place);
     Image image(const JsonPlace& place);
+    Skin skin(const JsonPlace& place);
+    Clip clip(const JsonPlace& place);
+    std::shared_ptr<const Channel> channel(const JsonPlace& place);
+    Shared<double> numbers(const JsonPlace& owner, const char* key);
+    TerrainObject terrain(const JsonPlace& place);
+    HeightMap heightMap(const JsonPlace& place);
     void readNodes();
     /// Calls `make` for each entry of a list; keeps the results by their ids.
     template <class Id, class T, class Make>
@@ -67,14 +81,19 @@ private:
     GltfDocument& document_;
     JsonPlace top_;
     Scene::Parts parts_;
+    std::map<uint32_t, Shared<double>> numbers_;  // by view
 };
 
 Scene ProjectReader::read()
 {
-    if (top_["version"].whole() != 1) top_["version"].fail("was saved by a newer Meshwright; open it with that one");
+    if (const uint64_t version = top_["version"].whole(); version < 1 || version > projectVersion)
+        top_["version"].fail("was saved by a newer Meshwright; open it with that one");
     list("images", parts_.images, [&](const JsonPlace& p) { return image(p); });
     list("materials", parts_.materials, [&](const JsonPlace& p) { return material(p); });
     list("meshes", parts_.meshes, [&](const JsonPlace& p) { return object(p); });
+    list("skins", parts_.skins, [&](const JsonPlace& p) { return skin(p); });
+    list("clips", parts_.clips, [&](const JsonPlace& p) { return clip(p); });
+    list("terrains", parts_.terrains, [&](const JsonPlace& p) { return terrain(p); });
     readNodes();
     return Scene::restored(std::move(parts_));
 }
@@ -174,10 +193,16 @@ Modifier ProjectReader::modifier(const JsonPlace& place)
     m.id = {idOf(place["id"])};
     m.operation = place["operation"].text();
     m.enabled = place["enabled"].flag();
-    const JsonPlace values = place["values"];
-    if (!values.value().is_object()) values.fail("must be an object");
-    for (const auto& item : values.value().items()) m.values[item.key()] = value(values[item.key().c_str()]);
+    m.values = values(place["values"]);
     return m;
+}
+
+ParameterValues ProjectReader::values(const JsonPlace& place)
+{
+    ParameterValues out;
+    if (!place.value().is_object()) place.fail("must be an object");
+    for (const auto& item : place.value().items()) out[item.key()] = value(place[item.key().c_str()]);
+    return out;
 }
 
 // The JSON type says the type: modifiers of operations that this version does not know keep their parameters, too.
@@ -234,6 +259,97 @@ Image ProjectReader::image(const JsonPlace& place)
     return i;
 }
 
+Skin ProjectReader::skin(const JsonPlace& place)
+{
+    Skin s;
+    s.name = place["name"].text();
+    s.skeleton = {idOf(place["skeleton"])};
+    const JsonPlace joints = place["joints"];
+    document_.charge(joints.size() * sizeof(NodeId), place.pointer());
+    for (size_t i = 0; i < joints.size(); ++i) s.joints.push_back({idOf(joints[i])});
+    const Array<glm::dmat4> matrices = array<glm::dmat4>(place, "inverseBind");
+    s.inverseBind.assign(matrices.begin(), matrices.end());
+    return s;
+}
+
+Shared<double> ProjectReader::numbers(const JsonPlace& owner, const char* key)
+{
+    const auto view = owner.index(key, document_.views(), "buffer view");
+    if (!view) return {};
+    const auto [known, fresh] = numbers_.try_emplace(*view);
+    if (fresh) known->second = array<double>(owner, key);
+    return known->second;
+}
+
+std::shared_ptr<const Channel> ProjectReader::channel(const JsonPlace& place)
+{
+    Channel c;
+    document_.charge(sizeof c, place.pointer());
+    c.node = {idOf(place["node"])};
+    c.path = Channel::Path(place["path"].index(10, "path"));
+    c.interpolation = Channel::Interpolation(place["interpolation"].index(3, "interpolation"));
+    c.components = int(place["components"].index(1u << 24, "number of components"));
+    c.times = numbers(place, "times");
+    c.values = numbers(place, "values");
+    const int fixed = c.path == Channel::Path::Rotation ? 4 : c.path < Channel::Path::Weights ? 3 : c.path > Channel::Path::Weights ? 1 : 0;
+    const size_t perKey = size_t(c.components) * (c.interpolation == Channel::Interpolation::Cubic ? 3 : 1);
+    if (c.components < 1 || (fixed && c.components != fixed) || c.values.size() != c.keys() * perKey)
+        place.fail("its numbers do not fit its path and keys; the file is damaged");
+    for (size_t i = 0; i < c.keys(); ++i)
+        if (!(c.times[i] >= (i ? c.times[i - 1] : 0)) || !std::isfinite(c.times[i])) place.fail("its times do not ascend; the file is damaged");
+    return std::make_shared<const Channel>(std::move(c));
+}
+
+Clip ProjectReader::clip(const JsonPlace& place)
+{
+    Clip c;
+    c.name = place["name"].text();
+    c.frameTime = exactNumber(place["frameTime"]);
+    const JsonPlace channels = place["channels"];
+    for (size_t i = 0; i < channels.size(); ++i) c.channels.push_back(channel(channels[i]));
+    return c;
+}
+
+HeightMap ProjectReader::heightMap(const JsonPlace& place)
+{
+    const uint32_t width = place["width"].index(HeightMap::largestSize + 1, "width"),
+                   height = place["height"].index(HeightMap::largestSize + 1, "height");
+    const Array<float> heights = array<float>(place, "heights");
+    if (heights.size() != size_t(width) * height || (width == 0) != (height == 0) || width == 1 || height == 1)
+        place.fail(std::to_string(heights.size()) + " heights for a map of " + std::to_string(width) + " by " + std::to_string(height) +
+                   "; the file is damaged");
+    if (!std::all_of(heights.begin(), heights.end(), [](float h) { return std::isfinite(h); }))
+        place.fail("a height is no number; the file is damaged");
+    constexpr uint32_t tile = HeightMap::tileSize;
+    document_.charge(uint64_t((width + tile - 1) / tile * tile) * ((height + tile - 1) / tile * tile) * sizeof(float), place.pointer());
+    return heights.empty() ? HeightMap() : HeightMap(width, height, heights);
+}
+
+TerrainObject ProjectReader::terrain(const JsonPlace& place)
+{
+    TerrainObject o;
+    Terrain& t = o.terrain;
+    t.name = place["name"].text();
+    t.map = heightMap(place);
+    t.extent = exactNumber(place["extent"]);
+    t.maximumHeight = exactNumber(place["maximumHeight"]);
+    t.waterLevel = exactNumber(place["waterLevel"]);
+    const JsonPlace detail = place["detail"], layers = place["layers"];
+    t.detail.patches = int(detail["patches"].index(1 << 20, "number of patches"));
+    t.detail.nearLevel = exactNumber(detail["nearLevel"]);
+    t.detail.farLevel = exactNumber(detail["farLevel"]);
+    t.detail.nearDistance = exactNumber(detail["nearDistance"]);
+    t.detail.farDistance = exactNumber(detail["farDistance"]);
+    t.detail.corrected = detail["corrected"].flag();
+    t.layers.sandTo = exactNumber(layers["sandTo"]);
+    t.layers.grassTo = exactNumber(layers["grassTo"]);
+    t.layers.snowFrom = exactNumber(layers["snowFrom"]);
+    t.layers.rockSlope = exactNumber(layers["rockSlope"]);
+    o.sourceOperation = place["sourceOperation"].text();
+    o.sourceValues = values(place["sourceValues"]);
+    return o;
+}
+
 void ProjectReader::readNodes()
 {
     std::map<NodeId, NodeId> parents;
@@ -248,6 +364,11 @@ void ProjectReader::readNodes()
         n.visible = place["visible"].flag();
         n.mesh = {idOf(place["mesh"])};
         n.extras = place.text("extras");
+        n.skin = {idOf(place, "skin")};
+        n.terrain = {idOf(place, "terrain")};
+        n.joint = Node::Joint(place.index("joint", 3, "kind of joint").value_or(0));
+        const size_t weights = place.sizeOf("morphWeights");
+        for (size_t w = 0; w < weights; ++w) n.morphWeights.push_back(exactNumber(place["morphWeights"][w]));
         const NodeId id{idOf(place["id"])};
         for (size_t c = 0; c < place.sizeOf("children"); ++c) {
             n.children.push_back({idOf(place["children"][c])});

@@ -36,9 +36,64 @@ void expectSame(const Scene& s)
 TEST(Project, GivesBackTheVeryScene)
 {
     expectSame(test::richScene());
+    expectSame(test::movingScene());
     expectSame(Scene());
     expectSame(test::sceneWith(Mesh()));
     expectSame(test::sceneWith(test::sheet(40)));
+}
+
+// Channels that share their times do so again, and the file has them once.
+TEST(Project, SharesWhatWasShared)
+{
+    const auto glb = glbOf(test::movingScene(), {true});
+    const json clips = unpacked(glb).root["extensions"]["MESHWRIGHT_project"]["clips"];
+    EXPECT_EQ(clips[0]["channels"][0]["times"], clips[0]["channels"][1]["times"]);
+    EXPECT_EQ(clips[0]["channels"][2]["times"], clips[1]["channels"][0]["times"]);
+    const Scene s = read(glb).scene;
+    const Clip &walk = *s.find(s.clips()[0]), &still = *s.find(s.clips()[1]);
+    EXPECT_EQ(walk.channels[0]->times.id(), walk.channels[4]->times.id());
+    EXPECT_EQ(walk.channels[2]->times.id(), still.channels[3]->times.id());
+}
+
+// Files saved before there were skins, clips and terrains.
+TEST(Project, OfTheFirstVersionStillOpens)
+{
+    Unpacked u = unpacked(glbOf(test::richScene(), {true}));
+    u.root["extensions"]["MESHWRIGHT_project"]["version"] = 1;
+    const Imported in = read(glbContent(u.root.dump(), u.bin));
+    EXPECT_TRUE(in.project);
+    EXPECT_EQ(contentHash(in.scene), contentHash(test::richScene()));
+}
+
+TEST(Project, DamagedMotionAndTerrainFallBackToThePlainPart)
+{
+    const Unpacked u = unpacked(glbOf(test::movingScene(), {true}));
+    const std::string at = "/extensions/MESHWRIGHT_project";
+    const std::vector<std::pair<const char*, const char*>> faults{{"/skins/0/joints/1", "99"},
+                                                                  {"/skins/0/joints", "[3]"},
+                                                                  {"/skins/0/inverseBind", "0"},
+                                                                  {"/clips/0/channels/0/node", "99"},
+                                                                  {"/clips/0/channels/0/path", "10"},
+                                                                  {"/clips/0/channels/0/interpolation", "2"},
+                                                                  {"/clips/0/channels/0/components", "4"},
+                                                                  {"/clips/0/channels/4/components", "0"},
+                                                                  {"/clips/0/channels/1/values", "999"},
+                                                                  {"/clips/0/channels/0/times", "1"},
+                                                                  {"/terrains/0/width", "4"},
+                                                                  {"/terrains/0/width", "20000"},
+                                                                  {"/terrains/0/height", "1"},
+                                                                  {"/terrains/0/detail", "[]"},
+                                                                  {"/terrains/0/sourceValues", "3"},
+                                                                  {"/nodes/0/joint", "3"},
+                                                                  {"/nodes/0/skin", "99"},
+                                                                  {"/nodes/0/terrain", "99"}};
+    for (const auto& [pointer, value] : faults) {
+        json j = u.root;
+        j[json::json_pointer(at + pointer)] = json::parse(value);
+        const Imported in = read(glbContent(j.dump(), u.bin));
+        EXPECT_FALSE(in.project) << pointer << " " << value;
+        EXPECT_TRUE(test::warned(in.warnings, "project-damaged")) << pointer;
+    }
 }
 
 TEST(Project, KeepsEveryTypeAndOrder)
@@ -105,7 +160,7 @@ TEST(Project, NewerOrDamagedFallsBackToThePlainPart)
 {
     const Unpacked u = unpacked(glbOf(test::richScene(), {true}));
     const std::string at = "/extensions/MESHWRIGHT_project";
-    const std::vector<std::pair<const char*, const char*>> faults{{"/version", "2"},
+    const std::vector<std::pair<const char*, const char*>> faults{{"/version", "3"},
                                                                   {"/version", "null"},
                                                                   {"/core", "[]"},
                                                                   {"/meshes/0/positions", "999"},

@@ -111,6 +111,75 @@ inline Scene richScene()
     return s;
 }
 
+/// A skinned, morphing strip on three joints and an end site, with a clip of every kind of channel; and a terrain of 5 by 3 samples.
+inline Scene movingScene()
+{
+    Scene s;
+    Node plain, body;
+    plain.name = "rig";
+    plain.local.translation = {0, 1, 0};
+    const NodeId rig = s.add(plain);
+    std::vector<NodeId> joints;
+    for (int i = 0; i < 4; ++i) {
+        Node j;
+        j.name = "joint" + std::to_string(i);
+        j.joint = i < 3 ? Node::Joint::Joint : Node::Joint::EndSite;
+        j.local.translation = {0.5, 0, 0.1 * i};
+        joints.push_back(s.add(j, i ? joints.back() : rig));
+    }
+    Mesh m = sheet(4);
+    Array<int32_t> slots;
+    Array<float> weights;
+    for (size_t v = 0; v < m.vertexCount(); ++v) {
+        const float x = m.positions()[v].x;
+        slots.insert(slots.end(), {int32_t(x * 2), int32_t(std::min(x * 2 + 1, 2.f)), 0, 0});
+        weights.insert(weights.end(), {0.75f, 0.25f, 0.f, 0.f});
+    }
+    m = m.with(integerAttribute("joints", Domain::Vertex, 4, slots)).with(floatAttribute("weights", Domain::Vertex, 4, weights));
+    m = m.with(floatAttribute("morph:up", Domain::Vertex, 3, Array<float>(3 * m.vertexCount(), 0.125f)))
+            .with(floatAttribute("morph:wide", Domain::Vertex, 3, Array<float>(3 * m.vertexCount(), -1.f)));
+    Skin skin{"skin", {joints.begin(), joints.begin() + 3}, std::vector<glm::dmat4>(3, glm::dmat4(1)), joints[0]};
+    skin.inverseBind[1][3] = {1.0 / 3, 0, 2, 1};
+    body.name = "body";
+    body.skin = s.add(skin);
+    body.mesh = s.add(MeshObject{"body", m, {}, {}});
+    body.morphWeights = {0.1, 0.7};
+    const NodeId shown = s.add(body, rig);
+    const Shared<double> times(Array<double>{0, 0.25, 1.0 / 3, 2}), others(Array<double>{0.5, 1.5});
+    Clip walk{"walk", {}, 0}, still{"", {}, 1.0 / 120};
+    const auto add = [](Clip& c, NodeId n, Channel::Path path, Channel::Interpolation i, int components, const Shared<double>& t, Array<double> v) {
+        c.channels.push_back(std::make_shared<const Channel>(Channel{n, path, i, components, t, std::move(v)}));
+    };
+    using P = Channel::Path;
+    using I = Channel::Interpolation;
+    add(walk, joints[0], P::Translation, I::Linear, 3, times, {0, 0, 0, 1, 0, 0, 1, 2, 0, 0.1, 0.2, 0.3});
+    add(walk, joints[1], P::Rotation, I::Linear, 4, times, {0, 0, 0, 1, 0, 0.6, 0, 0.8, 0.6, 0, 0, -0.8, 1, 0, 0, 0});
+    add(walk, joints[1], P::Scale, I::Step, 3, others, {1, 1, 1, 2, 2, 0.5});
+    add(walk, joints[2], P::Rotation, I::Cubic, 4, others, {0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0});
+    add(walk, shown, P::Weights, I::Linear, 2, times, {0, 1, 0.5, 0, 1, 1, 0, 0});
+    add(still, joints[0], P::PositionY, I::Linear, 1, others, {0, 0.5});
+    for (const P p : {P::EulerZ, P::EulerX, P::EulerY}) add(still, joints[0], p, I::Linear, 1, others, {10, 400});
+    s.add(walk);
+    s.add(still);
+    TerrainObject t;
+    Array<float> heights;
+    for (int i = 0; i < 15; ++i) heights.push_back(float(i % 4) / 3);
+    t.terrain.name = "hills";
+    t.terrain.map = HeightMap(5, 3, heights);
+    t.terrain.extent = 1000.0 / 3;
+    t.terrain.waterLevel = 12;
+    t.terrain.detail.patches = 9;
+    t.terrain.detail.corrected = false;
+    t.terrain.layers.rockSlope = 41;
+    t.sourceOperation = "diamond-square";
+    t.sourceValues = {{"seed", int64_t(7)}, {"roughness", 0.5}};
+    Node ground;
+    ground.name = "ground";
+    ground.terrain = s.add(t);
+    s.add(ground);
+    return s;
+}
+
 /// A .glb of one triangle, to be changed by `edit` before it is packed.
 template <class Edit>
 std::vector<uint8_t> triangleGlb(Edit edit)

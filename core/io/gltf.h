@@ -1,5 +1,6 @@
 // glTF 2.0 in and out (.gltf and .glb). A Meshwright project is a .glb that carries the extension MESHWRIGHT_project (project.h).
-// The way in: gltf_container (GLB chunks, JSON) -> gltf_document (buffers, views, accessors, all checked) -> gltf_mesh, gltf_scene.
+// The way in: gltf_container (GLB chunks, JSON) -> gltf_document (buffers, views, accessors, all checked) -> gltf_mesh, gltf_scene (materials,
+// tree), gltf_motion (skins, animations).
 #pragma once
 #include <cstdint>
 #include <filesystem>

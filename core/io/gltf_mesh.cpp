@@ -105,10 +105,15 @@ void MeshReader::nameTargets()
         while (name.empty() || !taken.insert(name).second) name += "_" + std::to_string(t);
         targets_.push_back(name);
     }
-    if (const auto weights = place_.find("weights"))
-        for (size_t i = 0; i < weights->size(); ++i)
-            if ((*weights)[i].number() != 0)
-                warn("morph-weights", place_.pointer() + ": the weights of its morph targets were left out; targets are kept");
+    // All of them from the start: their order is that of the weights, whatever the primitives have.
+    document_.charge(count * (sizeof(GltfStream) + 64), place_.pointer());
+    for (const std::string& name : targets_) {
+        GltfStream s;
+        s.name = "morph:" + name;
+        s.components = 3;
+        s.ofVertex = true;
+        out_.streams.push_back(std::move(s));
+    }
 }
 
 GltfMesh MeshReader::read(Progress* progress)
@@ -401,6 +406,9 @@ void MeshReader::joinSkin()
         j.ofVertex = w.ofVertex = j.integral = true;
         j.stored = joints[0]->stored;
         w.stored = weights[0]->stored;
+        // What bytes round to is no fault of the file.
+        const double tolerated = weights[0]->stored == Scalar::UInt8 ? 0.02 : 1e-3;
+        size_t mended = 0;
         for (size_t p = 0; p < points; ++p) {
             double sum = 0;
             for (size_t k = 0; k < 4 * sets; ++k) {
@@ -408,9 +416,13 @@ void MeshReader::joinSkin()
                 w.floats.push_back(std::max(0.f, weights[k / 4]->floats[4 * p + k % 4]));
                 sum += double(w.floats.back());
             }
-            for (size_t k = 4 * sets * p; sum > 0 && std::abs(sum - 1) > 1e-4 && k < w.floats.size(); ++k)
+            mended += std::abs(sum - 1) > tolerated;
+            for (size_t k = 4 * sets * p; sum > 0 && std::abs(sum - 1) > 1e-6 && k < w.floats.size(); ++k)
                 w.floats[k] = float(double(w.floats[k]) / sum);
         }
+        if (mended)
+            warn("weights-sum", place_.pointer() + ": the joint weights of " + std::to_string(mended) +
+                                    " vertices did not sum to 1; they were divided by their sum, vertices without any do not move");
         out_.streams.push_back(std::move(j));
         out_.streams.push_back(std::move(w));
     } else if (!joints.empty() || !weights.empty()) {

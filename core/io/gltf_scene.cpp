@@ -1,4 +1,4 @@
-// The scene layer of a glTF: images, materials, the node tree; and the way from a file to a Scene.
+// The scene layer of a glTF: images, materials, the node tree, which nodes are posed by what; and the way from a file to a Scene.
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
@@ -8,6 +8,7 @@
 #include "core/io/gltf.h"
 #include "core/io/gltf_document.h"
 #include "core/io/gltf_mesh.h"
+#include "core/io/gltf_motion.h"
 #include "core/io/picture.h"
 #include "core/io/project.h"
 
@@ -23,7 +24,6 @@ public:
 private:
     void listLost();
     void checkExtensions();
-    void checkSkins();
     ImageId image(size_t i);
     MaterialId material(size_t i);
     MeshId mesh(size_t i);
@@ -34,6 +34,9 @@ private:
     void checkTree();
     void addTree();
     Node node(const JsonPlace& place);
+    void readWeights(const JsonPlace& place, Node& n);
+    void addMotion();
+    void bindNode(size_t i, std::vector<std::optional<Skin>>& skins, std::map<size_t, SkinId>& kept);
     void warn(const char* code, std::string text) { document_.warnings().push_back({code, std::move(text), {}}); }
     void warnOnce(const char* code, std::string text)
     {
@@ -57,6 +60,12 @@ private:
     std::vector<std::optional<MeshId>> meshes_;
     std::vector<std::vector<size_t>> children_;
     std::vector<bool> hasParent_;
+    // What nodes ask of a mesh, found out once: many nodes may show one.
+    struct Facts {
+        size_t morphTargets = 0, slots = 0;  // slots: joints it may name, none when it names none
+    };
+    std::map<MeshId, Facts> facts_;
+    GltfNodes nodes_;
     std::set<std::string> told_;
 };
 
@@ -67,9 +76,9 @@ Scene SceneReader::read()
     materials_.resize(top_.sizeOf("materials"));
     meshes_.resize(top_.sizeOf("meshes"));
     document_.charge(top_.sizeOf("nodes") * 512 + meshes_.size() * 512 + materials_.size() * 512, "/nodes");
-    checkSkins();
     checkTree();
     addTree();
+    addMotion();
     listLost();
     return Scene::restored(std::move(parts_));
 }
@@ -80,8 +89,6 @@ void SceneReader::listLost()
     const auto lost = [&](const char* key, const char* code, const char* what) {
         if (const size_t n = top_.sizeOf(key)) warn(code, std::to_string(n) + " " + what);
     };
-    lost("skins", "skins", "skins were left out; joints and weights are kept as vertex attributes");
-    lost("animations", "animations", "animations were left out");
     lost("cameras", "cameras", "cameras were left out");
     const size_t unused = size_t(std::count(meshes_.begin(), meshes_.end(), std::nullopt));
     if (unused) warn("unused-meshes", std::to_string(unused) + " meshes that the scene does not show were left out");
@@ -101,17 +108,6 @@ void SceneReader::checkExtensions()
         for (size_t i = 0; i < used->size() && i < 100; ++i)
             if (const std::string& name = (*used)[i].text(); !known.contains(name))
                 warn("extension", "what extension " + name.substr(0, 60) + " says was left out");
-}
-
-void SceneReader::checkSkins()
-{
-    const size_t nodes = top_.sizeOf("nodes");
-    for (size_t i = 0; i < top_.sizeOf("skins"); ++i) {
-        const JsonPlace skin = top_["skins"][i], joints = skin["joints"];
-        for (size_t j = 0; j < joints.size(); ++j) joints[j].index(nodes, "node");
-        skin.index("inverseBindMatrices", document_.accessors(), "accessor");
-        skin.index("skeleton", nodes, "node");
-    }
 }
 
 ImageId SceneReader::image(size_t i)
@@ -207,7 +203,13 @@ MeshId SceneReader::mesh(size_t i)
     object.name = place.text("name");
     object.base = std::move(read.mesh);
     for (const auto& m : read.materials) object.materials.push_back(m ? material(*m) : MaterialId{});
+    Facts facts;
+    for (const Attribute& a : object.base.attributes()) {
+        facts.morphTargets += a.name.starts_with(names::morph);
+        if (a.name == names::joints) facts.slots = SIZE_MAX;
+    }
     meshes_[i] = keep(parts_.meshes, std::move(object));
+    facts_[*meshes_[i]] = facts;
     if (progress_) progress_->at(float(i + 1) / float(meshes_.size()));
     return *meshes_[i];
 }
@@ -295,14 +297,34 @@ Node SceneReader::node(const JsonPlace& place)
     n.name = place.text("name");
     n.local = transform(place);
     if (const auto m = place.index("mesh", meshes_.size(), "mesh")) n.mesh = mesh(*m);
+    readWeights(place, n);
     place.index("skin", top_.sizeOf("skins"), "skin");
     place.index("camera", top_.sizeOf("cameras"), "camera");
     if (const auto extras = place.find("extras")) n.extras = extras->value().dump();
     return n;
 }
 
+// Those of the node, else those of its mesh, one a morph target; all 0 are none.
+void SceneReader::readWeights(const JsonPlace& place, Node& n)
+{
+    if (!n.mesh) return;
+    const auto own = place.find("weights"), ofMesh = top_["meshes"][place["mesh"].whole()].find("weights");
+    const auto& list = own ? own : ofMesh;
+    if (!list) return;
+    const size_t targets = facts_[n.mesh].morphTargets;
+    if (list->size() != targets)
+        warnOnce("morph-weights", list->pointer() + ": " + std::to_string(list->size()) + " weights for " + std::to_string(targets) +
+                                      " morph targets; missing ones are 0");
+    document_.charge(targets * sizeof(double), place.pointer());
+    n.morphWeights.resize(targets, 0);
+    for (size_t i = 0; i < std::min(targets, list->size()); ++i) n.morphWeights[i] = (*list)[i].number();
+    if (std::all_of(n.morphWeights.begin(), n.morphWeights.end(), [](double w) { return w == 0; })) n.morphWeights.clear();
+}
+
 void SceneReader::addTree()
 {
+    nodes_.ids.resize(children_.size());
+    nodes_.morphTargets.resize(children_.size(), 0);
     struct Open {
         size_t node;
         NodeId parent;
@@ -315,6 +337,8 @@ void SceneReader::addTree()
         open.pop_back();
         const NodeId id = keep(parts_.nodes, node(top_["nodes"][o.node]));
         parts_.nodes[id].parent = o.parent;
+        nodes_.ids[o.node] = id;
+        if (parts_.nodes[id].mesh) nodes_.morphTargets[o.node] = facts_[parts_.nodes[id].mesh].morphTargets;
         (o.parent ? parts_.nodes[o.parent].children : parts_.roots).push_back(id);
         for (auto c = children_[o.node].rbegin(); c != children_[o.node].rend(); ++c) open.push_back({*c, id});
     }
@@ -325,6 +349,44 @@ void SceneReader::addTree()
         n.name = parts_.meshes[n.mesh].name;
         parts_.roots.push_back(keep(parts_.nodes, std::move(n)));
     }
+}
+
+void SceneReader::addMotion()
+{
+    std::vector<std::optional<Skin>> skins = gltfSkins(document_, nodes_);
+    for (const auto& skin : skins)
+        for (size_t j = 0; skin && j < skin->joints.size(); ++j) parts_.nodes[skin->joints[j]].joint = Node::Joint::Joint;
+    std::map<size_t, SkinId> kept;
+    for (size_t i = 0; i < nodes_.ids.size(); ++i)
+        if (nodes_.ids[i]) bindNode(i, skins, kept);
+    if (const size_t unused = size_t(std::count_if(skins.begin(), skins.end(), [](const auto& s) { return s.has_value(); })) - kept.size())
+        warn("unused-skins", std::to_string(unused) + " skins that pose no mesh were left out; their joints are kept");
+    for (Clip& clip : gltfClips(document_, nodes_)) keep(parts_.clips, std::move(clip));
+}
+
+// Gives a node its skin when its mesh can be posed by it.
+void SceneReader::bindNode(size_t i, std::vector<std::optional<Skin>>& skins, std::map<size_t, SkinId>& kept)
+{
+    const JsonPlace place = top_["nodes"][i];
+    const auto index = place.index("skin", skins.size(), "skin");
+    if (!index || !skins[*index]) return;
+    Node& n = parts_.nodes[nodes_.ids[i]];
+    if (!n.mesh || !facts_[n.mesh].slots) {
+        warn("bad-skin", place.pointer() + ": it has a skin, but no mesh with joints and weights; the skin was left out");
+        return;
+    }
+    if (const size_t slots = skins[*index]->joints.size(); slots < facts_[n.mesh].slots) {
+        facts_[n.mesh].slots = slots;
+        size_t left = 0;
+        Mesh& mesh = parts_.meshes[n.mesh].base;
+        mesh = withinSlots(mesh, slots, left);
+        if (left)
+            warn("bad-joints", place.pointer() + ": " + std::to_string(left) +
+                                   " vertices of its mesh name joints that its skin does not have; those weights were left out");
+    }
+    const auto [known, fresh] = kept.try_emplace(*index);
+    if (fresh) known->second = keep(parts_.skins, *skins[*index]);
+    n.skin = known->second;
 }
 
 void cutShort(std::vector<Warning>& warnings)

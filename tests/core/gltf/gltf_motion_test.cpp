@@ -1,0 +1,315 @@
+// Skins, animations and morph weights of glTF files: real files as tinygltf (another program's reader) finds them, each rule on a small file.
+#include <functional>
+#include <map>
+#include <set>
+#include <tiny_gltf.h>
+
+#include "data.h"
+#include "samples.h"
+
+namespace mw {
+namespace {
+
+using nlohmann::json;
+
+tinygltf::Model loaded(const std::filesystem::path& file)
+{
+    tinygltf::TinyGLTF reader;
+    tinygltf::Model model;
+    std::string error, warning;
+    const bool good = file.extension() == ".glb" ? reader.LoadBinaryFromFile(&model, &error, &warning, file.string())
+                                                 : reader.LoadASCIIFromFile(&model, &error, &warning, file.string());
+    EXPECT_TRUE(good) << error;
+    return model;
+}
+
+// All numbers of an accessor of floats.
+std::vector<float> floatsOf(const tinygltf::Model& m, int accessor)
+{
+    const tinygltf::Accessor& a = m.accessors[size_t(accessor)];
+    const tinygltf::BufferView& v = m.bufferViews[size_t(a.bufferView)];
+    const size_t n = size_t(tinygltf::GetNumComponentsInType(uint32_t(a.type)));
+    EXPECT_EQ(a.componentType, TINYGLTF_COMPONENT_TYPE_FLOAT);
+    std::vector<float> out(a.count * n);
+    for (size_t i = 0; i < a.count; ++i)
+        std::memcpy(out.data() + i * n, m.buffers[size_t(v.buffer)].data.data() + v.byteOffset + a.byteOffset + i * size_t(a.ByteStride(v)), 4 * n);
+    return out;
+}
+
+// The nodes of the file in depth-first order from its scene: the order of Scene::nodes().
+std::vector<int> depthFirst(const tinygltf::Model& m)
+{
+    std::vector<int> order,
+        open(m.scenes[size_t(std::max(m.defaultScene, 0))].nodes.rbegin(), m.scenes[size_t(std::max(m.defaultScene, 0))].nodes.rend());
+    while (!open.empty()) {
+        order.push_back(open.back());
+        open.pop_back();
+        const std::vector<int>& children = m.nodes[size_t(order.back())].children;
+        open.insert(open.end(), children.rbegin(), children.rend());
+    }
+    return order;
+}
+
+class RealMotion : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealMotion, SkinsAreThoseOfTheFile)
+{
+    MESHWRIGHT_DATA_OR_SKIP(data);
+    const tinygltf::Model m = loaded(data / GetParam());
+    const Scene s = readGltf(data / GetParam()).scene;
+    const std::vector<int> order = depthFirst(m);
+    const std::vector<NodeId> ids = s.nodes();
+    ASSERT_EQ(order.size(), ids.size());
+    std::map<int, NodeId> id;
+    for (size_t i = 0; i < order.size(); ++i) id[order[i]] = ids[i];
+    ASSERT_EQ(s.skins().size(), m.skins.size());
+    std::set<int> joints;
+    for (const int n : order) {
+        const tinygltf::Node& node = m.nodes[size_t(n)];
+        EXPECT_EQ(s.node(id[n]).name, node.name);
+        ASSERT_EQ(bool(s.node(id[n]).skin), node.skin >= 0);
+        if (node.skin < 0) continue;
+        const tinygltf::Skin& skin = m.skins[size_t(node.skin)];
+        const Skin& ours = *s.find(s.node(id[n]).skin);
+        ASSERT_EQ(ours.joints.size(), skin.joints.size());
+        EXPECT_EQ(ours.name, skin.name);
+        const std::vector<float> matrices = floatsOf(m, skin.inverseBindMatrices);
+        for (size_t j = 0; j < skin.joints.size(); ++j) {
+            EXPECT_EQ(ours.joints[j], id[skin.joints[j]]);
+            joints.insert(skin.joints[j]);
+            for (size_t k = 0; k < 16; ++k) ASSERT_EQ(ours.inverseBind[j][int(k / 4)][int(k % 4)], double(matrices[16 * j + k]));
+        }
+    }
+    for (const int n : order) EXPECT_EQ(s.node(id[n]).joint, joints.contains(n) ? Node::Joint::Joint : Node::Joint::No);
+}
+
+TEST_P(RealMotion, ClipsAreThoseOfTheFile)
+{
+    MESHWRIGHT_DATA_OR_SKIP(data);
+    const tinygltf::Model m = loaded(data / GetParam());
+    const Imported in = readGltf(data / GetParam());
+    const Scene& s = in.scene;
+    EXPECT_FALSE(test::warned(in.warnings, "bad-channel"));
+    const std::vector<int> order = depthFirst(m);
+    ASSERT_EQ(s.clips().size(), m.animations.size());
+    for (size_t a = 0; a < m.animations.size(); ++a) {
+        const tinygltf::Animation& theirs = m.animations[a];
+        const Clip& clip = *s.find(s.clips()[a]);
+        EXPECT_EQ(clip.name, theirs.name);
+        ASSERT_EQ(clip.channels.size(), theirs.channels.size());
+        std::map<int, const void*> timesOf;
+        for (size_t c = 0; c < clip.channels.size(); ++c) {
+            const tinygltf::AnimationChannel& channel = theirs.channels[c];
+            const tinygltf::AnimationSampler& sampler = theirs.samplers[size_t(channel.sampler)];
+            const Channel& ours = *clip.channels[c];
+            const auto at = std::find(order.begin(), order.end(), channel.target_node) - order.begin();
+            EXPECT_EQ(ours.node, s.nodes()[size_t(at)]);
+            const std::map<std::string, Channel::Path> paths{{"translation", Channel::Path::Translation},
+                                                             {"rotation", Channel::Path::Rotation},
+                                                             {"scale", Channel::Path::Scale},
+                                                             {"weights", Channel::Path::Weights}};
+            EXPECT_EQ(ours.path, paths.at(channel.target_path));
+            const std::vector<float> times = floatsOf(m, sampler.input), values = floatsOf(m, sampler.output);
+            EXPECT_TRUE(std::equal(times.begin(), times.end(), ours.times.begin(), ours.times.end()));
+            EXPECT_TRUE(std::equal(values.begin(), values.end(), ours.values.begin(), ours.values.end()));
+            EXPECT_EQ(timesOf.try_emplace(sampler.input, ours.times.id()).first->second, ours.times.id());  // shared as the file shares them
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Data, RealMotion,
+                         testing::Values("characters/cesium_man.gltf", "characters/rigged_simple.gltf", "characters/simple_skin.gltf",
+                                         "characters/robot.glb", "gltf/AnimatedMorphCube/AnimatedMorphCube.gltf",
+                                         "gltf/AnimatedMorphSphere/AnimatedMorphSphere.gltf", "gltf/SimpleMorph/SimpleMorph.gltf",
+                                         "gltf/MorphPrimitivesTest/MorphPrimitivesTest.gltf"));
+
+TEST(GltfMotion, DefaultWeightsGoToTheNode)
+{
+    MESHWRIGHT_DATA_OR_SKIP(data);
+    const Scene half = readGltf(data / "gltf/SimpleMorph/SimpleMorph.gltf").scene;
+    EXPECT_EQ(half.node(half.roots()[0]).morphWeights, (std::vector<double>{0.5, 0.5}));
+    const Scene none = readGltf(data / "gltf/AnimatedMorphCube/AnimatedMorphCube.gltf").scene;
+    EXPECT_TRUE(none.node(none.roots()[0]).morphWeights.empty());
+}
+
+/// A skinned triangle: node 0 shows it, nodes 1 (below 0's sibling) and 2 are joints; animation of node 2 with 3 keys.
+/// Accessors: 0 positions, 1 indices, 2 joints (u8), 3 weights, 4 inverse binds, 5 times, 6 translations, 7 rotations (i16), 8 weights of 2 targets.
+std::vector<uint8_t> skinnedGlb(const std::function<void(json&, std::vector<uint8_t>&)>& edit = {})
+{
+    return test::triangleGlb([&](json& j, std::vector<uint8_t>& bin) {
+        const auto view = [&](const void* data, size_t size) {
+            bin.resize((bin.size() + 7) & ~size_t(7), 0);
+            j["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bin.size()}, {"byteLength", size}});
+            bin.insert(bin.end(), static_cast<const uint8_t*>(data), static_cast<const uint8_t*>(data) + size);
+            return j["bufferViews"].size() - 1;
+        };
+        const auto accessor = [&](size_t v, int component, size_t count, const char* type, bool normalized = false) {
+            j["accessors"].push_back({{"bufferView", v}, {"componentType", component}, {"count", count}, {"type", type}});
+            if (normalized) j["accessors"].back()["normalized"] = true;
+        };
+        const uint8_t joints[] = {0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+        const float weights[] = {0.5f, 0.5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+        float binds[32] = {};
+        for (const size_t k : {0u, 5u, 10u, 15u, 16u, 21u, 26u, 31u}) binds[k] = 1;
+        binds[16 + 13] = -2;
+        const float times[] = {0, 0.5f, 2}, moves[] = {0, 0, 0, 1, 0, 0, 1, 2, 0}, morphs[] = {0, 1, 0.5f, 0, 1, 1};
+        const int16_t turns[] = {0, 0, 0, 32767, 0, 0, 32767, 0, -32767, 0, 0, 0};
+        accessor(view(joints, sizeof joints), 5121, 3, "VEC4");
+        accessor(view(weights, sizeof weights), 5126, 3, "VEC4");
+        accessor(view(binds, sizeof binds), 5126, 2, "MAT4");
+        accessor(view(times, sizeof times), 5126, 3, "SCALAR");
+        accessor(view(moves, sizeof moves), 5126, 3, "VEC3");
+        accessor(view(turns, sizeof turns), 5122, 3, "VEC4", true);
+        accessor(view(morphs, sizeof morphs), 5126, 6, "SCALAR");
+        json& primitive = j["meshes"][0]["primitives"][0];
+        primitive["attributes"]["JOINTS_0"] = 2;
+        primitive["attributes"]["WEIGHTS_0"] = 3;
+        primitive["targets"] = json::parse(R"([{"POSITION": 0}, {"POSITION": 0}])");
+        j["nodes"] = json::parse(R"([{"mesh": 0, "skin": 0, "name": "body"}, {"children": [2], "name": "hip"}, {"name": "knee"}])");
+        j["scenes"][0]["nodes"] = {0, 1};
+        j["skins"] = json::parse(R"([{"name": "rig", "joints": [1, 2], "inverseBindMatrices": 4, "skeleton": 1}])");
+        j["animations"] = json::parse(R"([{"name": "walk",
+            "channels": [{"sampler": 0, "target": {"node": 2, "path": "translation"}}, {"sampler": 1, "target": {"node": 2, "path": "rotation"}},
+                         {"sampler": 2, "target": {"node": 0, "path": "weights"}}],
+            "samplers": [{"input": 5, "output": 6}, {"input": 5, "output": 7, "interpolation": "STEP"}, {"input": 5, "output": 8}]}])");
+        if (edit) edit(j, bin);
+        j["buffers"][0]["byteLength"] = bin.size();
+    });
+}
+
+TEST(GltfMotion, SmallFileMeansWhatItSays)
+{
+    const Imported in = readGltf(skinnedGlb(), {});
+    EXPECT_TRUE(in.warnings.empty()) << in.warnings[0].text;
+    const Scene& s = in.scene;
+    const NodeId body = s.roots()[0], hip = s.roots()[1], knee = s.node(hip).children[0];
+    ASSERT_TRUE(s.find(s.node(body).skin));
+    const Skin& skin = *s.find(s.node(body).skin);
+    EXPECT_EQ(skin.name, "rig");
+    EXPECT_EQ(skin.joints, (std::vector<NodeId>{hip, knee}));
+    EXPECT_EQ(skin.skeleton, hip);
+    EXPECT_EQ(skin.inverseBind[0], glm::dmat4(1));
+    EXPECT_EQ(skin.inverseBind[1][3], glm::dvec4(0, -2, 0, 1));
+    EXPECT_EQ(s.node(body).joint, Node::Joint::No);
+    EXPECT_EQ(s.node(knee).joint, Node::Joint::Joint);
+    ASSERT_EQ(s.clips().size(), 1u);
+    const Clip& clip = *s.find(s.clips()[0]);
+    EXPECT_EQ(clip.name, "walk");
+    ASSERT_EQ(clip.channels.size(), 3u);
+    EXPECT_EQ(duration(clip), 2);
+    const Channel& turn = *clip.channels[1];
+    EXPECT_EQ(turn.node, knee);
+    EXPECT_EQ(turn.interpolation, Channel::Interpolation::Step);
+    const double expected[] = {0, 0, 0, 1, 0, 0, 1, 0, -1, 0, 0, 0};
+    EXPECT_TRUE(std::equal(turn.values.begin(), turn.values.end(), expected, expected + 12));
+    EXPECT_EQ(turn.times.id(), clip.channels[0]->times.id());
+    EXPECT_EQ(clip.channels[2]->components, 2);
+    EXPECT_EQ(clip.channels[2]->node, body);
+}
+
+struct Odd {
+    const char *pointer, *value;  // what is changed
+    const char* code;             // the warning that comes of it
+    size_t skins, channels;       // what is left
+};
+class OddMotion : public testing::TestWithParam<Odd> {};
+
+TEST_P(OddMotion, IsLeftOutWithAWarningThatNamesThePlace)
+{
+    const Odd& o = GetParam();
+    const Imported in = readGltf(skinnedGlb([&](json& j, auto&) { j[json::json_pointer(o.pointer)] = json::parse(o.value); }), {});
+    ASSERT_FALSE(in.warnings.empty());
+    EXPECT_EQ(in.warnings[0].code, o.code);
+    EXPECT_EQ(in.warnings[0].text[0], '/');
+    EXPECT_EQ(in.scene.skins().size(), o.skins);
+    size_t channels = 0;
+    for (const ClipId c : in.scene.clips()) channels += in.scene.find(c)->channels.size();
+    EXPECT_EQ(channels, o.channels);
+    EXPECT_EQ(test::onlyMesh(in.scene).base.faceCount(), 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, OddMotion,
+    testing::Values(Odd{"/accessors/4/count", "1", "bad-skin", 0, 3}, Odd{"/skins/0/inverseBindMatrices", "3", "bad-skin", 0, 3},
+                    Odd{"/scenes/0/nodes", "[0]", "bad-skin", 0, 1}, Odd{"/skins/0/joints", "[]", "bad-skin", 0, 3},
+                    Odd{"/skins/0/joints", "[1]", "bad-joints", 1, 3}, Odd{"/nodes/1/skin", "0", "bad-skin", 1, 3},
+                    Odd{"/accessors/5/count", "2", "bad-channel", 1, 0}, Odd{"/accessors/6/count", "2", "bad-channel", 1, 2},
+                    Odd{"/accessors/7/normalized", "false", "bad-channel", 1, 2}, Odd{"/accessors/8/count", "5", "bad-channel", 1, 2},
+                    Odd{"/animations/0/samplers/0/interpolation", "\"CUBICSPLINE\"", "bad-channel", 1, 2},
+                    Odd{"/animations/0/samplers/0/interpolation", "\"BEZIER\"", "bad-channel", 1, 2},
+                    Odd{"/animations/0/samplers/0/output", "7", "bad-channel", 1, 2}, Odd{"/animations/0/samplers/0/input", "6", "bad-channel", 1, 2},
+                    Odd{"/animations/0/channels/0/target", "{\"path\": \"translation\"}", "bad-channel", 1, 2},
+                    Odd{"/animations/0/channels/0/target/path", "\"pointer\"", "bad-channel", 1, 2},
+                    Odd{"/animations/0/channels/1/target/path", "\"weights\"", "bad-channel", 1, 2},
+                    Odd{"/animations/0/channels/1/target/path", "\"translation\"", "bad-channel", 1, 2},
+                    Odd{"/animations/0/channels", "[]", "empty-animation", 1, 0}, Odd{"/nodes/0/weights", "[1]", "morph-weights", 1, 3}));
+
+TEST(GltfMotion, TimesMustAscendAndBeNumbers)
+{
+    const auto withTime = [](size_t key, float t) {
+        return readGltf(skinnedGlb([&](json& j, std::vector<uint8_t>& bin) {
+                            const size_t view = j["accessors"][5]["bufferView"];
+                            std::memcpy(bin.data() + j["bufferViews"][view]["byteOffset"].get<size_t>() + 4 * key, &t, 4);
+                        }),
+                        {});
+    };
+    for (const auto& [key, t] : {std::pair<size_t, float>{0, -1.f}, {1, 0.f}, {2, 0.4f}, {1, std::nanf("")}, {2, INFINITY}}) {
+        const Imported in = withTime(key, t);
+        EXPECT_TRUE(in.scene.clips().empty());
+        ASSERT_TRUE(test::warned(in.warnings, "bad-channel"));
+        EXPECT_NE(in.warnings[0].text.find("time " + std::to_string(key) + " of /accessors/5"), std::string::npos) << in.warnings[0].text;
+    }
+    EXPECT_EQ(readGltf(skinnedGlb(), {}).scene.clips().size(), 1u);
+}
+
+TEST(GltfMotion, WeightsAreMadeToSumToOne)
+{
+    const Imported in = readGltf(skinnedGlb([](json& j, std::vector<uint8_t>& bin) {
+                                     const size_t view = j["accessors"][3]["bufferView"];
+                                     const float odd[] = {3, 1, 0, 0, -1, 2};
+                                     std::memcpy(bin.data() + j["bufferViews"][view]["byteOffset"].get<size_t>(), odd, sizeof odd);
+                                 }),
+                                 {});
+    EXPECT_TRUE(test::warned(in.warnings, "weights-sum"));
+    const Attribute* w = test::onlyMesh(in.scene).base.find("weights");
+    ASSERT_TRUE(w);
+    const double expected[] = {0.75, 0.25, 0, 0, 0, 1, 0, 0};
+    for (size_t i = 0; i < 8; ++i) EXPECT_EQ(w->at(i / 4, int(i % 4)), expected[i]);
+}
+
+TEST(GltfMotion, MoreThanFourWeightsAVertex)
+{
+    const Imported in = readGltf(skinnedGlb([](json& j, auto&) {
+                                     json& a = j["meshes"][0]["primitives"][0]["attributes"];
+                                     a["JOINTS_1"] = 2;
+                                     a["WEIGHTS_1"] = 3;
+                                 }),
+                                 {});
+    const Mesh& m = test::onlyMesh(in.scene).base;
+    ASSERT_EQ(m.find("weights")->components, 8);
+    ASSERT_EQ(m.find("joints")->components, 8);
+    for (size_t v = 0; v < 3; ++v) {
+        double sum = 0;
+        for (int k = 0; k < 8; ++k) sum += m.find("weights")->at(v, k);
+        EXPECT_EQ(sum, 1);
+    }
+}
+
+// A target without positions is still a target: weights count it.
+TEST(GltfMotion, TargetsKeepTheirPlaces)
+{
+    const Imported in = readGltf(skinnedGlb([](json& j, auto&) {
+                                     j["meshes"][0]["primitives"][0]["targets"][0] = json::object();
+                                     j["meshes"][0]["extras"]["targetNames"] = {"empty", "wide"};
+                                 }),
+                                 {});
+    const auto& attributes = test::onlyMesh(in.scene).base.attributes();
+    std::vector<std::string> names;
+    for (const Attribute& a : attributes)
+        if (a.name.starts_with("morph:")) names.push_back(a.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"morph:empty", "morph:wide"}));
+    EXPECT_EQ(in.scene.find(in.scene.clips()[0])->channels.size(), 3u);
+}
+
+}  // namespace
+}  // namespace mw

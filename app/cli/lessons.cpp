@@ -28,10 +28,14 @@ void printLesson(const Lesson& l)
 {
     std::cout << "\n" << l.id << " - " << l.title << (l.section.empty() ? "" : " (book " + l.section + ")") << "\n    phases: ";
     for (size_t i = 0; i < l.phases.size(); ++i) std::cout << (i ? ", " : "") << l.phases[i].title;
+    const std::string call = l.id + (l.scene.parameters.empty() ? "" : ":" + l.scene.parameters);
+    if (l.scene.source.empty()) {  // it makes something from nothing
+        std::cout << "\n    meshwright step - --op " << call << '\n';
+        return;
+    }
     std::cout << "\n    meshwright process - --op " << l.scene.source;
     for (const std::string& op : l.scene.operations) std::cout << " --op " << op;
-    std::cout << " -o lesson.glb\n    meshwright step lesson.glb --op " << l.id << (l.scene.parameters.empty() ? "" : ":" + l.scene.parameters)
-              << '\n';
+    std::cout << " -o lesson.glb\n    meshwright step lesson.glb --op " << call << '\n';
 }
 
 int run(Arguments& arguments)

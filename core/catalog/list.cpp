@@ -7,6 +7,7 @@
 #include "core/repair/weld.h"
 #include "core/simplify/decimate_quadric.h"
 #include "core/subdivide/subdivide_loop.h"
+#include "core/terrain/diamond_square.h"
 
 namespace mw {
 
@@ -69,6 +70,14 @@ std::span<const Operation> catalog()
                .attributes = {Carried::Same, Carried::Same, Carried::Same},
                .source = "core/repair/smooth.cpp"},
               smooth),
+        entry({.id = "diamond-square",
+               .title = "Diamond-square",
+               .section = "5.3",
+               .summary = "A landscape by displacing the middles of squares and of their sides, each round half as far.",
+               .category = "Terrain",
+               .steps = true,
+               .source = "core/terrain/diamond_square.cpp"},
+              diamondSquare),
     };
     return operations;
 }

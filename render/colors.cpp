@@ -65,6 +65,11 @@ std::vector<uint8_t> heatTablePixels()
     return pixels;
 }
 
+glm::vec3 categoryColor(int i)
+{
+    return hex(categories[i % categoryCount]);
+}
+
 HeatRow heatRow(const HeatMap& heat)
 {
     if (heat.table && heat.column < heat.table->columns.size() && heat.table->columns[heat.column].categorical) return categoryRow;

@@ -29,6 +29,7 @@ glm::vec3 roleColor(Role role);
 
 /// The three rows of the colour table, 256 entries of RGBA each: viridis from 6 % on, diverging, the 24 categories.
 inline constexpr int heatEntries = 256, categoryCount = 24;
+glm::vec3 categoryColor(int i);
 enum HeatRow { viridisRow, divergingRow, categoryRow };
 std::vector<uint8_t> heatTablePixels();
 

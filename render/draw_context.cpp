@@ -78,6 +78,14 @@ void DrawContext::texture(TextureUnit unit, GLenum target, GLuint id) const
     glBindTexture(target, id);
 }
 
+GLuint DrawContext::positions(const DrawObject& o)
+{
+    SurfaceBuffers rest;
+    rest.positions = gpu.cache.buffer(o.mesh.positions());
+    rest.vertices = o.mesh.vertexCount();
+    return gpu.posing.captured(gpu.cache, gpu.programs, o, {}, rest).positions;
+}
+
 void DrawContext::clearAttributes() const
 {
     for (GLuint i = 0; i < 8; ++i) {

@@ -4,6 +4,7 @@
 
 #include "render/colors.h"
 #include "render/gpu_cache.h"
+#include "render/posing.h"
 #include "render/renderer.h"
 #include "render/shaders.h"
 #include "render/surface_geometry.h"
@@ -21,6 +22,7 @@ struct ObjectBlock {
 struct GpuState {
     GpuCache cache;
     SurfaceLayouts layouts;
+    Posing posing;
     Programs programs;
     gl::VertexArray vertexArray;
     gl::Buffer cameraBlock, lightsBlock, objectBlock, transient, transientIndices;
@@ -46,6 +48,9 @@ struct DrawContext {
     void setObject(const ObjectBlock& block);
     void use(ProgramId program, unsigned variant = 0) { glUseProgram(gpu.programs.get(program, variant)); }
     void texture(TextureUnit unit, GLenum target, GLuint id) const;
+    /// A place for each vertex of the mesh, posed: in a buffer, and in memory.
+    GLuint positions(const DrawObject& o);
+    Shared<glm::vec3> places(const DrawObject& o) { return gpu.posing.places(o); }
     /// Switches attributes 0..7 off, so that a pass states all it needs.
     void clearAttributes() const;
     /// Blending that leaves the mask in alpha alone, or adds up coverage when the background is transparent.
@@ -63,6 +68,7 @@ void drawGrid(DrawContext& c);
 void drawLoose(DrawContext& c);  ///< lines and points that belong to no face, needles
 /// A line round what is selected or under the pointer, from the mask in the picture's alpha; then alpha is 1 everywhere.
 void drawOutlines(DrawContext& c, unsigned target);
+void drawBones(DrawContext& c);
 void drawMarks(DrawContext& c);
 
 /// The surface of one object, bound: layout, buffers, winding. For passes that draw triangles.

@@ -1,53 +1,59 @@
 // From a scene to what is drawn of it, and the range of a heat map.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
-#include "render/renderer.h"
+#include "render/bones.h"
+#include "render/posing.h"
 
 namespace mw {
 namespace {
 
-void addNode(Frame& frame, const Scene& scene, NodeId id, const glm::dmat4& worldFromParent, const std::function<Mesh(MeshId)>& shown)
+DrawObject drawn(const Scene& scene, NodeId id, const MeshObject& object)
 {
-    const Node& node = scene.node(id);
-    if (!node.visible) return;
-    const glm::dmat4 world = worldFromParent * node.local.matrix();
-    if (const MeshObject* object = node.mesh ? scene.find(node.mesh) : nullptr) {
-        DrawObject o;
-        o.node = id;
-        o.worldFromLocal = world;
-        o.mesh = shown(node.mesh);
-        for (const MaterialId m : object->materials) {
-            const Material* material = scene.find(m);
-            const Image* image = material ? scene.find(material->baseColorTexture.image) : nullptr;
-            o.materials.push_back(material ? std::make_shared<Material>(*material) : nullptr);
-            o.baseImages.push_back(image ? std::make_shared<Image>(*image) : nullptr);
-        }
-        frame.objects.push_back(std::move(o));
+    DrawObject o;
+    o.node = id;
+    for (const MaterialId m : object.materials) {
+        const Material* material = scene.find(m);
+        const Image* image = material ? scene.find(material->baseColorTexture.image) : nullptr;
+        o.materials.push_back(material ? scene.shared(m) : nullptr);
+        o.baseImages.push_back(image ? std::make_shared<Image>(*image) : nullptr);
     }
-    for (const NodeId child : node.children) addNode(frame, scene, child, world, shown);
+    return o;
 }
 
 }  // namespace
 
-Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown, const ScenePose&)
+Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown, const ScenePose& pose)
 {
     Frame frame;
-    for (const NodeId root : scene.roots()) addNode(frame, scene, root, glm::dmat4(1), shown);
+    const std::map<NodeId, glm::dmat4> worlds = worldMatrices(scene, pose);
+    std::set<NodeId> hidden;
+    for (const NodeId id : scene.nodes()) {  // depth first: a parent comes before its children
+        const Node& node = scene.node(id);
+        if (!node.visible || hidden.count(node.parent)) {
+            hidden.insert(id);
+            continue;
+        }
+        const MeshObject* object = node.mesh ? scene.find(node.mesh) : nullptr;
+        if (!object) continue;
+        DrawObject o = drawn(scene, id, *object);
+        o.mesh = shown(node.mesh);
+        o.pose = meshPose(scene, id, o.mesh, pose, worlds);
+        o.worldFromLocal = worldFromMesh(scene, id, worlds);
+        frame.objects.push_back(std::move(o));
+    }
+    addBones(frame, scene, worlds);
     return frame;
 }
 
 Bounds boundsOf(const Frame& frame)
 {
     Bounds all;
-    for (const DrawObject& o : frame.objects) {
-        const Bounds b = o.mesh.bounds();
-        if (b.empty) continue;
-        for (int i = 0; i < 8; ++i) {
-            const glm::dvec4 corner(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z, 1);
-            all.add(glm::dvec3(o.worldFromLocal * corner));
-        }
-    }
+    const auto add = [&](const Bounds& b) {
+        if (!b.empty) all.add(b);
+    };
+    for (const DrawObject& o : frame.objects) add(worldBounds(o));
     for (const DrawBone& b : frame.bones) {
         all.add(glm::dvec3(b.head));
         all.add(glm::dvec3(b.tail));
@@ -58,8 +64,10 @@ Bounds boundsOf(const Frame& frame)
 void frameTightly(Frame& frame, double aspect)
 {
     CameraFit fit(frame.camera, aspect);
-    for (const DrawObject& o : frame.objects)
-        for (const glm::vec3& p : o.mesh.positions()) fit.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(p), 1)));
+    for (const DrawObject& o : frame.objects) {
+        const Mesh mesh = o.pose ? posed(o.mesh, *o.pose) : o.mesh;
+        for (const glm::vec3& p : mesh.positions()) fit.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(p), 1)));
+    }
     for (const DrawBone& b : frame.bones) {
         fit.add(glm::dvec3(b.head));
         fit.add(glm::dvec3(b.tail));

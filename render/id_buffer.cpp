@@ -17,7 +17,7 @@ void drawObject(DrawContext& c, const DrawObject& o)
         c.clearAttributes();
         block.stroke.x = pointSize;
         c.setObject(block);
-        gl::attribute({0, c.gpu.cache.buffer(o.mesh.positions())});
+        gl::attribute({0, c.positions(o)});
         glDrawArrays(GL_POINTS, 0, GLsizei(o.mesh.vertexCount()));
     }
     if (o.mesh.faceCount() == 0) return;
@@ -51,6 +51,7 @@ IdBuffer::State IdBuffer::stateOf(const DrawContext& c)
         s.arrays.push_back(o.mesh.faceStart().id());
         s.owners.emplace_back(o.mesh.positions().owner());
         s.owners.emplace_back(o.mesh.faceStart().owner());
+        s.poses.push_back(o.pose ? *o.pose : MeshPose());
     }
     return s;
 }
@@ -60,7 +61,7 @@ bool IdBuffer::current(const State& s) const
     // Addresses may be used again once their arrays are gone; an owner that has expired tells.
     for (size_t i = 0; i < drawn_.owners.size(); ++i)
         if (drawn_.owners[i].expired() && drawn_.arrays[3 * (i / 2)]) return false;
-    return s.numbers == drawn_.numbers && s.arrays == drawn_.arrays;
+    return s.numbers == drawn_.numbers && s.arrays == drawn_.arrays && s.poses == drawn_.poses;
 }
 
 void IdBuffer::resize(glm::ivec2 size)

@@ -39,6 +39,7 @@ private:
         std::vector<double> numbers;
         std::vector<const void*> arrays;
         std::vector<std::weak_ptr<const void>> owners;
+        std::vector<MeshPose> poses;
     };
     static State stateOf(const DrawContext& c);
     bool current(const State& s) const;

@@ -50,7 +50,7 @@ void drawLooseLines(DrawContext& c, const DrawObject& o)
     const ThemeColors& theme = themeColors(c.frame.options.theme);
     c.use(ProgramId::Line);
     c.clearAttributes();
-    gl::attribute({0, c.gpu.cache.buffer(o.mesh.positions())});
+    gl::attribute({0, c.positions(o)});
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, c.gpu.cache.buffer(lines));
     ObjectBlock b = c.blockOf(o.worldFromLocal);
     b.mark = glm::vec4(o.selected ? selectedColor : theme.text2, o.dimmed ? 0.35f : 1.f);
@@ -68,7 +68,7 @@ void drawPoints(DrawContext& c, const DrawObject& o)
     b.mark = glm::vec4(o.selected ? selectedColor : theme.text2, o.dimmed ? 0.35f : 1.f);
     b.stroke = {o.mesh.vertexCount() > 20000 ? 3.f : 5.f, 0, 0, 1};
     c.clearAttributes();
-    gl::attribute({0, c.gpu.cache.buffer(o.mesh.positions())});
+    gl::attribute({0, c.positions(o)});
     const Attribute* color = o.selected ? nullptr : o.mesh.find(names::color, Domain::Vertex);
     const Shared<float>* values = color ? std::get_if<Shared<float>>(&color->values) : nullptr;
     if (values) {
@@ -87,8 +87,13 @@ void drawNeedles(DrawContext& c, const DrawObject& o)
     if (bounds.empty || o.mesh.faceCount() == 0) return;
     c.use(ProgramId::Needle);
     c.clearAttributes();
-    gl::attribute({0, c.gpu.cache.buffer(o.mesh.positions()), 3, 0, 0, 1});
-    gl::attribute({1, c.gpu.cache.buffer(o.mesh.vertexNormals()), 3, 0, 0, 1});
+    SurfaceBuffers rest;
+    rest.positions = c.gpu.cache.buffer(o.mesh.positions());
+    rest.normals = c.gpu.cache.buffer(o.mesh.vertexNormals());
+    rest.vertices = o.mesh.vertexCount();
+    const Posing::Buffers posed = c.gpu.posing.captured(c.gpu.cache, c.gpu.programs, o, {}, rest);
+    gl::attribute({0, posed.positions, 3, 0, 0, 1});
+    gl::attribute({1, posed.normals, 3, 0, 0, 1});
     ObjectBlock b = c.blockOf(o.worldFromLocal);
     b.mark = glm::vec4(hex(0x6CB2FF), 0.9f);
     b.stroke = {1, 0, 0, float(0.02 * bounds.diagonal() * glm::length(glm::dvec3(o.worldFromLocal[0])))};

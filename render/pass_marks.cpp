@@ -71,7 +71,7 @@ void draw(DrawContext& c, const Prepared& p, GLenum primitive)
 {
     if (p.count == 0) return;
     c.clearAttributes();
-    gl::attribute({0, c.gpu.cache.buffer(p.object->mesh.positions())});
+    gl::attribute({0, c.positions(*p.object)});
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, p.indices);
     glDepthFunc(p.mark->through ? GL_ALWAYS : GL_LEQUAL);
     c.setObject(p.block);

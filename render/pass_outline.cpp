@@ -16,9 +16,9 @@ Box outlinedBox(const DrawContext& c, double pixels)
 {
     glm::dvec2 low(1e9), high(-1e9);
     for (const DrawObject& o : c.frame.objects) {
-        const Bounds b = o.mesh.bounds();
+        const Bounds b = worldBounds(o);
         if (!(o.selected || o.hovered) || b.empty) continue;
-        const glm::dmat4 clip = c.clipFromView * c.viewFromWorld * o.worldFromLocal;
+        const glm::dmat4 clip = c.clipFromView * c.viewFromWorld;
         for (int i = 0; i < 8; ++i) {
             const glm::dvec4 p = clip * glm::dvec4(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z, 1);
             if (p.w <= c.camera.nearClip * 0.5 && c.camera.perspective) return {{0, 0}, c.size};

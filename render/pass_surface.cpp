@@ -165,6 +165,9 @@ BoundSurface bindSurface(DrawContext& c, const DrawObject& o, const SurfaceWants
     BoundSurface s;
     s.layout = c.gpu.layouts.get(o.mesh, wants);
     s.buffers = surfaceBuffers(c.gpu.cache, o.mesh, *s.layout, wants);
+    const Posing::Buffers posed = c.gpu.posing.captured(c.gpu.cache, c.gpu.programs, o, *s.layout, s.buffers);
+    s.buffers.positions = posed.positions;
+    s.buffers.normals = posed.normals;
     c.clearAttributes();
     gl::attribute({0, s.buffers.positions, 3});
     if (s.buffers.normals) gl::attribute({1, s.buffers.normals, 3});

@@ -14,18 +14,19 @@ constexpr double vertexReach = 10, edgeReach = 7;  // logical pixels
 /// Vertices of one object as pixels.
 class Projected {
 public:
-    Projected(const DrawContext& c, const DrawObject& o) : mesh_(o.mesh), size_(c.size), clip_(c.clipFromView * c.viewFromWorld * o.worldFromLocal) {}
+    Projected(DrawContext& c, const DrawObject& o) : places_(c.places(o)), size_(c.size), clip_(c.clipFromView * c.viewFromWorld * o.worldFromLocal)
+    {}
     /// False behind the eye.
     bool pixel(uint32_t v, glm::dvec2& out) const
     {
-        const glm::dvec4 p = clip_ * glm::dvec4(glm::dvec3(mesh_.positions()[v]), 1);
+        const glm::dvec4 p = clip_ * glm::dvec4(glm::dvec3(places_[v]), 1);
         if (p.w <= 0) return false;
         out = {0.5 * (p.x / p.w + 1) * size_.x, 0.5 * (1 - p.y / p.w) * size_.y};
         return true;
     }
 
 private:
-    const Mesh& mesh_;
+    Shared<glm::vec3> places_;
     glm::dvec2 size_;
     glm::dmat4 clip_;
 };
@@ -116,12 +117,13 @@ double hit(const Ray& r, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c)
     return glm::dot(v, q) / det;
 }
 
-glm::dvec3 facePoint(const DrawContext& c, const DrawObject& o, uint32_t face, glm::dvec2 pixel)
+glm::dvec3 facePoint(DrawContext& c, const DrawObject& o, uint32_t face, glm::dvec2 pixel)
 {
     const Ray ray = c.camera.ray(pixel, glm::dvec2(c.size));
     const Mesh::Triangulation& t = o.mesh.triangulation();
     const auto [first, last] = std::equal_range(t.faces.begin(), t.faces.end(), face);
-    const auto world = [&](uint32_t v) { return glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(o.mesh.positions()[v]), 1)); };
+    const Shared<glm::vec3> places = c.places(o);
+    const auto world = [&](uint32_t v) { return glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(places[v]), 1)); };
     double nearest = -1;
     for (const uint32_t* i = first; i != last; ++i) {
         const size_t k = 3 * size_t(i - t.faces.begin());
@@ -134,7 +136,7 @@ glm::dvec3 facePoint(const DrawContext& c, const DrawObject& o, uint32_t face, g
 }
 
 /// Everything, hidden or not: what X-ray lets in.
-void searchAll(const DrawContext& c, Search& search, NodeId only)
+void searchAll(DrawContext& c, Search& search, NodeId only)
 {
     for (const DrawObject& o : c.frame.objects) {
         if (only && o.node != only) continue;
@@ -145,7 +147,7 @@ void searchAll(const DrawContext& c, Search& search, NodeId only)
     }
 }
 
-void searchSeen(const DrawContext& c, Search& search, const SeenWindow& window, NodeId only)
+void searchSeen(DrawContext& c, Search& search, const SeenWindow& window, NodeId only)
 {
     std::set<std::pair<uint32_t, uint32_t>> done;
     for (const SeenId& id : window.ids) {
@@ -190,7 +192,7 @@ std::optional<Pick> pickAt(DrawContext& c, IdBuffer& ids, glm::dvec2 pixel)
         pick.atWorld = facePoint(c, o, pick.face, pixel);
     } else {
         const uint32_t v = pick.vertex != none ? pick.vertex : pick.edge.x != none ? pick.edge.x : here.index();
-        pick.atWorld = glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(o.mesh.positions()[v]), 1));
+        pick.atWorld = glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(c.places(o)[v]), 1));
     }
     return pick;
 }

@@ -42,6 +42,7 @@ void cleanState(GLuint vertexArray, unsigned target, glm::ivec2 size)
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LEQUAL);
+    glDepthRange(0, 1);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
@@ -73,6 +74,7 @@ void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
     GpuState& gpu = impl_->gpu;
     gpu.cache.beginFrame();
     gpu.layouts.forgetDead();
+    gpu.posing.beginFrame();
     DrawContext c(gpu, frame, size);
     cleanState(gpu.vertexArray.id(), target, size);
     uploadFrameBlocks(c);
@@ -83,6 +85,7 @@ void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
     drawWires(c);
     drawLoose(c);
     drawOutlines(c, target);
+    drawBones(c);
     drawMarks(c);
     drawLabels(c, impl_->canvas);
     drawLegend(c, impl_->canvas);

@@ -20,6 +20,8 @@ constexpr const char* surfaceVariants[] = {"FLAT", "COLOR", "MATERIAL", "HEAT", 
 constexpr const char* wireVariants[] = {"EDGE_FLAGS"};
 constexpr const char* lineVariants[] = {"HALO"};
 constexpr const char* discVariants[] = {"COLOR"};
+constexpr const char* poseVariants[] = {"SPLIT", "MORPHED", "SKINNED"};
+constexpr const char* posedOutputs[] = {"posedPosition", "posedNormal"};
 
 constexpr ProgramRow table[] = {
     {ProgramId::Background, "background", "background.vert", nullptr, "background.frag", camera, {}},
@@ -33,6 +35,8 @@ constexpr ProgramRow table[] = {
     {ProgramId::Outline, "outline", "background.vert", nullptr, "outline.frag", object, {}},
     {ProgramId::Ids, "ids", "ids.vert", nullptr, "ids.frag", object, {}},
     {ProgramId::IdPoints, "id points", "id_points.vert", nullptr, "id_points.frag", object, {}},
+    {ProgramId::Pose, "pose", "pose.vert", nullptr, nullptr, object, poseVariants, std::span(posedOutputs, 1)},
+    {ProgramId::PoseNormals, "pose with normals", "pose.vert", nullptr, nullptr, object, poseVariants, posedOutputs},
 };
 
 const ProgramRow& rowOf(ProgramId id)
@@ -105,8 +109,9 @@ void bindPoints(GLuint program)
         if (index != GL_INVALID_INDEX) glUniformBlockBinding(program, index, point);
     }
     constexpr std::pair<const char*, GLint> samplers[] = {
-        {"heatTable", heatUnit}, {"faceValues", faceValueUnit}, {"triangleFaces", triangleFaceUnit}, {"baseColorMap", baseColorUnit},
-        {"maskMap", maskUnit},   {"atlasMap", atlasUnit},       {"edgeFlags", edgeFlagUnit},
+        {"heatTable", heatUnit},       {"faceValues", faceValueUnit},     {"triangleFaces", triangleFaceUnit}, {"baseColorMap", baseColorUnit},
+        {"maskMap", maskUnit},         {"atlasMap", atlasUnit},           {"edgeFlags", edgeFlagUnit},         {"poseData", poseDataUnit},
+        {"jointSlots", jointSlotUnit}, {"jointWeights", jointWeightUnit}, {"morphDeltas", morphUnit},          {"morphNormals", morphNormalUnit},
     };
     glUseProgram(program);
     for (const auto& [name, unit] : samplers) {
@@ -127,6 +132,7 @@ GLuint link(const ProgramRow& row, unsigned variant)
         if (file) shaders.push_back(compile(stage, row, file, defines));
     const GLuint program = glCreateProgram();
     for (const GLuint s : shaders) glAttachShader(program, s);
+    if (!row.captured.empty()) glTransformFeedbackVaryings(program, GLsizei(row.captured.size()), row.captured.data(), GL_SEPARATE_ATTRIBS);
     glLinkProgram(program);
     for (const GLuint s : shaders) {
         glDetachShader(program, s);

@@ -9,7 +9,7 @@
 
 namespace mw {
 
-enum class ProgramId { Background, Surface, Wire, Line, Disc, FaceMark, Needle, Canvas, Outline, Ids, IdPoints };
+enum class ProgramId { Background, Surface, Wire, Line, Disc, FaceMark, Needle, Canvas, Outline, Ids, IdPoints, Pose, PoseNormals };
 
 /// Variants of a program are defines before its text.
 struct ProgramRow {
@@ -20,6 +20,7 @@ struct ProgramRow {
     const char* fragment;
     std::span<const char* const> chunks;    ///< put before every stage
     std::span<const char* const> variants;  ///< defines it knows; see variant bits
+    std::span<const char* const> captured = {};  ///< outputs kept in buffers by transform feedback, one each
 };
 std::span<const ProgramRow> programTable();
 
@@ -30,11 +31,12 @@ std::string_view shaderFile(std::string_view name);
 namespace variant {
 inline constexpr unsigned flat = 1, color = 2, material = 4, heat = 8, heatCategory = 16, heatFace = 32, dimmed = 64, dense = 128;
 inline constexpr unsigned edgeFlags = 1, halo = 1, pointColor = 1;
+inline constexpr unsigned poseSplit = 1, poseMorphed = 2, poseSkinned = 4;
 }  // namespace variant
 
 // Where things are bound, in every program.
 inline constexpr GLuint cameraBlock = 0, lightsBlock = 1, objectBlock = 2;
-enum TextureUnit : GLint { heatUnit, faceValueUnit, triangleFaceUnit, baseColorUnit, maskUnit, atlasUnit, edgeFlagUnit };
+enum TextureUnit : GLint { heatUnit, faceValueUnit, triangleFaceUnit, baseColorUnit, maskUnit, atlasUnit, edgeFlagUnit, poseDataUnit, jointSlotUnit, jointWeightUnit, morphUnit, morphNormalUnit };
 
 class Programs {
 public:

@@ -99,7 +99,8 @@ void sample(const Channel& c, double time, double* out)
     if (c.keys() == 0) return;
     const double* next = std::upper_bound(c.times.begin(), c.times.end(), time);  // of equal times the later key counts
     const size_t after = size_t(next - c.times.begin());
-    if (after == 0 || after == c.keys() || c.interpolation == Channel::Interpolation::Step) {
+    const bool onKey = after > 0 && c.times[after - 1] == time;  // gives its very bits, also of a negative zero
+    if (onKey || after == 0 || after == c.keys() || c.interpolation == Channel::Interpolation::Step) {
         std::copy_n(valueOf(c, after == 0 ? 0 : after - 1), c.components, out);
     } else {
         const double from = c.times[after - 1];

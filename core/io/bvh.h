@@ -4,9 +4,11 @@
 
 namespace mw {
 
-/// One skeleton and one clip. Every order of channels is kept, Euler angles as they are, in degrees, one key a frame. Throws Error, Cancelled.
+/// A skeleton a ROOT, and one clip when there are frames. Every order of channels is kept, Euler angles as they are, in degrees, one key a
+/// frame. Throws Error, Cancelled.
 Imported readBvh(const std::filesystem::path& file, Progress* progress = nullptr);
-/// The first skeleton with its clip: what was read from a BVH file is written back equal. Other clips are sampled and turned into angles.
+/// Every skeleton, each a ROOT, with the first clip: what was read from a BVH file is written back equal. Other motion is sampled each frame
+/// (1/30 s where the clip does not say) and turned into angles Z X Y that do not jump. Gives what BVH cannot hold.
 std::vector<Warning> writeBvh(const Scene& scene, const std::filesystem::path& file, Progress* progress = nullptr);
 
 }  // namespace mw

@@ -38,6 +38,9 @@ FileBytes readBytes(const std::filesystem::path& file, uint64_t cap = largestFil
 /// The first bytes, for finding out what a file is. Throws as readBytes.
 std::string readStart(const std::filesystem::path& file, size_t bytes);
 
+/// `bytes` as UTF-8 with '\n' as line end: byte order marks and UTF-16 are taken care of. `file` is for the Error.
+FileBytes plainText(FileBytes bytes, const std::string& file);
+
 /// `name`, as found inside a file, as a path in `folder` or below; empty when it is absolute or leads out of it (also by a link). Backslashes
 /// count as slashes.
 std::filesystem::path insideFolder(const std::filesystem::path& folder, std::string name);

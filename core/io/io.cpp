@@ -44,6 +44,7 @@ Type byContent(std::string_view start)
 {
     if (start.starts_with("ply\n") || start.starts_with("ply\r")) return Type::Ply;
     if (start.starts_with("glTF")) return Type::Gltf;
+    if (start.starts_with("HIERARCHY\n") || start.starts_with("HIERARCHY\r")) return Type::Bvh;
     return Type::Unknown;
 }
 

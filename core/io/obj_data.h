@@ -42,9 +42,6 @@ struct ObjData {
     Findings findings;
 };
 
-/// `bytes` as UTF-8 with '\n' as line end: byte order marks and UTF-16 are taken care of.
-FileBytes plainText(FileBytes bytes, const std::string& file);
-
 /// Throws Error only for what cannot be numbered with 32 bits; Cancelled.
 void parseObj(const FileBytes& bytes, const std::string& file, ObjData& data, Progress* progress);
 

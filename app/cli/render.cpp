@@ -1,6 +1,7 @@
 // render FILE -o PNG: a picture of what a file shows, without a display.
 #include <map>
 
+#include "app/cli/clip_options.h"
 #include "app/cli/operation_call.h"
 #include "app/cli/output.h"
 #include "app/cli/picture_options.h"
@@ -59,6 +60,13 @@ void colourBy(Frame& frame, const OperationCall& metric, Progress* progress)
     }
 }
 
+/// What stands for a mesh where there is none: bones, unless both or one alone are asked for.
+void choose(Frame& frame, const std::string& show)
+{
+    if (show == "mesh" || (show.empty() && !frame.objects.empty())) frame.bones.clear();
+    if (show == "bones") frame.objects.clear();
+}
+
 int run(Arguments& arguments)
 {
     const std::optional<std::string> out = arguments.value("--output", "-o");
@@ -67,8 +75,12 @@ int run(Arguments& arguments)
     const std::string styleText = arguments.value("--style").value_or("shaded");
     const std::string view = arguments.value("--view").value_or("32,17");
     const bool transparent = arguments.flag("--transparent");
+    const std::string show = arguments.value("--show").value_or("");
+    const ClipOptions when = takeClipOptions(arguments);
     const std::vector<std::string> files = arguments.finish({"FILE"});
     if (!out) throw UsageError("say where the picture goes: -o PNG");
+    if (!show.empty() && show != "mesh" && show != "bones" && show != "both")
+        throw UsageError("--show wants mesh, bones or both, not \"" + show + "\"");
     const Style style = parseStyle(styleText);
     Camera camera;
     if (!setView(camera, view))
@@ -79,7 +91,11 @@ int run(Arguments& arguments)
     warn(files[0], in.warnings);
     std::map<MeshId, Mesh> shownMeshes;
     for (const MeshId id : in.scene.meshes()) shownMeshes[id] = evaluated(*in.scene.find(id), working.progress());
-    Frame frame = frameOf(in.scene, [&](MeshId id) { return shownMeshes[id]; });
+    ScenePose pose;
+    if (when) pose = poseAt(in.scene, clipOf(files[0], in.scene, when), when.time.value_or(0));
+    Frame frame = frameOf(
+        in.scene, [&](MeshId id) { return shownMeshes[id]; }, pose);
+    choose(frame, show);
     frame.camera = camera;
     frame.options.theme = theme;
     frame.options.shading = style.shading;
@@ -97,7 +113,11 @@ int run(Arguments& arguments)
 }  // namespace
 
 const Verb renderVerb{"render", "a picture of a file, without a display",
-                      "render FILE -o PNG [--size WxH] [--style STYLE] [--view VIEW] [--theme dark|light] [--transparent]\n\n"
+                      "render FILE -o PNG [--time S] [--clip NAME|#INDEX] [--show mesh|bones|both] [--size WxH] [--style STYLE] [--view VIEW]\n"
+                      "       [--theme dark|light] [--transparent]\n\n"
+                      "  --time S        seconds into the clip; without --time and --clip the file rests\n"
+                      "  --clip CLIP     by name, or #0 for the first one, which is taken unless said\n"
+                      "  --show WHAT     mesh, bones or both; the mesh unless said, bones where there is no mesh\n"
                       "  --size WxH      pixels, 1280x800 unless said\n"
                       "  --style STYLE   shaded (as the materials say), flat (faces and edges), wire, or heat:METRIC[:k=v,...], where METRIC is a\n"
                       "                  query of `meshwright algorithms` that gives a number for each vertex or face (heat:vertex-valence)\n"

@@ -351,6 +351,7 @@ void SceneReader::addTree()
     }
 }
 
+// Skins that pose no mesh say which nodes are joints; they are no part of the scene.
 void SceneReader::addMotion()
 {
     std::vector<std::optional<Skin>> skins = gltfSkins(document_, nodes_);
@@ -359,8 +360,6 @@ void SceneReader::addMotion()
     std::map<size_t, SkinId> kept;
     for (size_t i = 0; i < nodes_.ids.size(); ++i)
         if (nodes_.ids[i]) bindNode(i, skins, kept);
-    if (const size_t unused = size_t(std::count_if(skins.begin(), skins.end(), [](const auto& s) { return s.has_value(); })) - kept.size())
-        warn("unused-skins", std::to_string(unused) + " skins that pose no mesh were left out; their joints are kept");
     for (Clip& clip : gltfClips(document_, nodes_)) keep(parts_.clips, std::move(clip));
 }
 

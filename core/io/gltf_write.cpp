@@ -1,4 +1,4 @@
-// The scene layer of writing: nodes, materials, pictures, and the files.
+// The scene layer of writing: nodes and what they show, materials, pictures, and the files.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "core/io/gltf_builder.h"
 #include "core/io/gltf_container.h"
 #include "core/io/gltf_write_mesh.h"
+#include "core/io/gltf_write_motion.h"
 #include "core/io/picture.h"
 #include "core/io/project.h"
 #include "core/scene/evaluation.h"
@@ -25,6 +26,15 @@ double between(double x, double low, double high)
     return std::isnan(x) ? high : std::clamp(x, low, high);
 }
 
+// One a morph target.
+std::vector<double> weightsOf(const Node& n, size_t targets)
+{
+    std::vector<double> out(targets, 0);
+    for (size_t i = 0; i < std::min(targets, n.morphWeights.size()); ++i)
+        if (std::isfinite(n.morphWeights[i])) out[i] = n.morphWeights[i];
+    return out;
+}
+
 class SceneWriter {
 public:
     SceneWriter(const Scene& scene, const WriteOptions& options, std::vector<Warning>& warnings, Progress* progress)
@@ -33,10 +43,22 @@ public:
     GltfBuilder write();
 
 private:
+    /// A mesh of the file. Nodes whose skins differ in their number of joints do not share one.
+    struct MeshEntry {
+        std::optional<size_t> index;
+        bool skinned = false;
+        std::vector<double> weights;  // of its morph targets
+    };
     void addTree();
+    void findSkinned();
+    void addNodes();
+    void addRoots();
+    void addMotion();
+    void showSkinned(NodeId id);
+    void putMesh(json& out, NodeId id, const MeshEntry& entry);
     void putTransform(json& out, const Transform& t);
     void putExtras(json& out, const std::string& extras);
-    std::optional<size_t> mesh(MeshId id);
+    const MeshEntry& mesh(const Node& n);
     Mesh evaluated(const MeshObject& object);
     std::optional<size_t> material(MaterialId id);
     GltfSlot slot(MaterialId id);
@@ -53,8 +75,15 @@ private:
     Progress* progress_;
     GltfBuilder builder_;
     Evaluator evaluator_{0};
-    std::map<NodeId, size_t> nodes_;
-    std::map<MeshId, std::optional<size_t>> meshes_;
+    GltfPlaces places_;
+    std::set<NodeId> lifted_;                  // skinned ones that are or become roots
+    std::vector<NodeId> skinned_;              // shown, waiting for their place
+    std::vector<size_t> roots_;                // further ones of the file
+    std::vector<std::vector<NodeId>> joined_;  // roots that get a common parent
+    std::set<NodeId> hiding_;                  // they or something above them
+    std::set<NodeId> moved_;                   // a clip drives their transform
+    std::map<SkinId, size_t> skins_;
+    std::map<std::pair<MeshId, size_t>, MeshEntry> meshes_;
     std::map<MaterialId, size_t> materials_;
     std::map<ImageId, std::optional<size_t>> images_;
     std::map<std::pair<ImageId, bool>, size_t> textures_;
@@ -76,29 +105,114 @@ GltfBuilder SceneWriter::write()
     return std::move(builder_);
 }
 
-// Depth first without recursion: a tree may be deeper than the stack.
 void SceneWriter::addTree()
 {
-    std::set<NodeId> hidden;
-    json& scene = builder_.root["scenes"][0] = json::object();
-    builder_.root["scene"] = 0;
+    joined_ = rootsToJoin(scene_);
+    for (const ClipId c : scene_.clips())
+        for (const auto& channel : scene_.find(c)->channels)
+            if (channel->path != Channel::Path::Weights) moved_.insert(channel->node);
+    findSkinned();
+    addNodes();
+    for (const NodeId id : skinned_) showSkinned(id);
+    addRoots();
+    addMotion();
+}
+
+// A skinned mesh stands by its joints alone, and glTF wants it at a root that has no transform. A node that is there for nothing else goes
+// to the root itself.
+void SceneWriter::findSkinned()
+{
+    std::set<NodeId> joints;
+    for (const SkinId id : scene_.skins()) joints.insert(scene_.find(id)->joints.begin(), scene_.find(id)->joints.end());
+    for (const NodeId id : scene_.nodes()) {
+        const Node& n = scene_.node(id);
+        if (!n.visible || hiding_.contains(n.parent)) hiding_.insert(id);
+        if (!scene_.find(n.mesh) || !scene_.find(n.skin) || hiding_.contains(id)) continue;
+        skinned_.push_back(id);
+        const auto holds = [&](const std::vector<NodeId>& group) { return std::find(group.begin(), group.end(), id) != group.end(); };
+        const bool isThere = !n.parent && n.local == Transform{} && std::none_of(joined_.begin(), joined_.end(), holds);
+        if (!moved_.contains(id) && (isThere || (n.children.empty() && !joints.contains(id)))) lifted_.insert(id);
+    }
+}
+
+// Depth first without recursion: a tree may be deeper than the stack.
+void SceneWriter::addNodes()
+{
     const std::vector<NodeId> order = scene_.nodes();
-    for (size_t i = 0; i < order.size(); ++i) nodes_[order[i]] = i;
-    for (const NodeId r : scene_.roots()) scene["nodes"].push_back(nodes_[r]);
+    for (size_t i = 0; i < order.size(); ++i) places_.nodes[order[i]] = i;
     for (const NodeId id : order) {
         const Node& n = scene_.node(id);
-        const bool hides = !n.visible || hidden.contains(n.parent);
-        if (hides) hidden.insert(id);
         json out = json::object();
         if (!n.name.empty()) out["name"] = n.name;
-        putTransform(out, n.local);
+        if (!lifted_.contains(id)) putTransform(out, n.local);
         putExtras(out, n.extras);
-        for (const NodeId c : n.children) out["children"].push_back(nodes_[c]);
-        if (n.mesh && hides) ++hidden_;
-        if (n.mesh && !hides)
-            if (const auto m = mesh(n.mesh)) out["mesh"] = *m;
+        for (const NodeId c : n.children)
+            if (!lifted_.contains(c)) out["children"].push_back(places_.nodes[c]);
+        if (n.mesh && hiding_.contains(id))
+            ++hidden_;
+        else if (n.mesh && !scene_.find(n.skin))
+            putMesh(out, id, mesh(n));
+        if (n.parent && lifted_.contains(id)) roots_.push_back(places_.nodes[id]);
         builder_.append("nodes", std::move(out));
     }
+}
+
+void SceneWriter::addRoots()
+{
+    json& scene = builder_.root["scenes"][0] = json::object();
+    builder_.root["scene"] = 0;
+    std::set<NodeId> below;
+    for (const auto& group : joined_) {
+        json parent{{"name", "joints"}};
+        for (const NodeId r : group) parent["children"].push_back(places_.nodes[r]);
+        below.insert(group.begin(), group.end());
+        roots_.push_back(builder_.append("nodes", std::move(parent)));
+    }
+    for (const NodeId r : scene_.roots())
+        if (!below.contains(r)) scene["nodes"].push_back(places_.nodes[r]);
+    for (const size_t r : roots_) scene["nodes"].push_back(r);
+}
+
+// A node that has to keep its place leaves its mesh to a new root.
+void SceneWriter::showSkinned(NodeId id)
+{
+    const Node& n = scene_.node(id);
+    const MeshEntry& entry = mesh(n);
+    if (!entry.index) return;
+    size_t node = places_.nodes[id];
+    if (!lifted_.contains(id)) {
+        node = builder_.append("nodes", n.name.empty() ? json::object() : json{{"name", n.name}});
+        roots_.push_back(node);
+    }
+    putMesh(builder_.root["nodes"][node], id, entry);
+    places_.meshes[id].node = node;
+    if (!entry.skinned) return;
+    const auto [known, fresh] = skins_.try_emplace(n.skin, 0);
+    if (fresh) known->second = addSkin(builder_, scene_, *scene_.find(n.skin), places_);
+    builder_.root["nodes"][node]["skin"] = known->second;
+}
+
+// The skins of hidden meshes are written, too: they say which nodes are joints.
+void SceneWriter::addMotion()
+{
+    std::set<NodeId> joints;
+    for (const SkinId id : scene_.skins()) {
+        const Skin& skin = *scene_.find(id);
+        if (skin.joints.empty()) continue;
+        if (!skins_.contains(id)) skins_[id] = addSkin(builder_, scene_, skin, places_);
+        joints.insert(skin.joints.begin(), skin.joints.end());
+    }
+    addSkeletons(builder_, scene_, places_, joints);
+    addAnimations(builder_, scene_, places_, warnings_);
+}
+
+void SceneWriter::putMesh(json& out, NodeId id, const MeshEntry& entry)
+{
+    if (!entry.index) return;
+    out["mesh"] = *entry.index;
+    places_.meshes[id] = {places_.nodes[id], entry.weights.size()};
+    const std::vector<double> weights = weightsOf(scene_.node(id), entry.weights.size());
+    if (weights != entry.weights) out["weights"] = weights;
 }
 
 void SceneWriter::putTransform(json& out, const Transform& t)
@@ -130,22 +244,29 @@ Mesh SceneWriter::evaluated(const MeshObject& object)
     return e.result();
 }
 
-std::optional<size_t> SceneWriter::mesh(MeshId id)
+const SceneWriter::MeshEntry& SceneWriter::mesh(const Node& n)
 {
-    if (const auto known = meshes_.find(id); known != meshes_.end()) return known->second;
-    std::optional<size_t>& index = meshes_[id];
-    const MeshObject* object = scene_.find(id);
-    if (!object) return index;
+    const Skin* skin = scene_.find(n.skin);
+    const size_t joints = skin ? skin->joints.size() : 0;
+    const auto [known, fresh] = meshes_.try_emplace({n.mesh, joints});
+    MeshEntry& entry = known->second;
+    const MeshObject* object = scene_.find(n.mesh);
+    if (!fresh || !object) return entry;
     const Mesh shown = evaluated(*object);
     std::vector<GltfSlot> slots;
     for (const MaterialId m : object->materials) slots.push_back(slot(m));
-    json out = gltfMeshOf(builder_, shown, slots, object->name, !options_.project, warnings_, progress_);
-    if (!out.is_null()) index = builder_.append("meshes", std::move(out));
+    json out = gltfMeshOf(builder_, shown, {slots, joints, object->name, !options_.project}, warnings_, progress_);
+    if (!out.is_null()) {
+        entry.skinned = out["primitives"][0]["attributes"].contains("JOINTS_0");
+        if (out.contains("extras")) entry.weights = weightsOf(n, out["extras"]["targetNames"].size());
+        if (std::any_of(entry.weights.begin(), entry.weights.end(), [](double w) { return w != 0; })) out["weights"] = entry.weights;
+        entry.index = builder_.append("meshes", std::move(out));
+    }
     if (!shown.groupNames().empty() && !options_.project)
         warn("lost-groups",
              "mesh \"" + object->name + "\": glTF cannot hold its " + std::to_string(shown.groupNames().size()) + " groups; a project keeps them");
     if (progress_) progress_->at(float(++done_) / float(work_));
-    return index;
+    return entry;
 }
 
 GltfSlot SceneWriter::slot(MaterialId id)

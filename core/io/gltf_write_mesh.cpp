@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/io/gltf_split.h"
+#include "core/io/gltf_write_skinning.h"
 
 namespace mw {
 
@@ -34,9 +35,8 @@ std::string numbered(std::string_view name, int set)
 
 class MeshWriter {
 public:
-    MeshWriter(GltfBuilder& builder, const Mesh& mesh, const std::vector<GltfSlot>& slots, std::string name, bool tellLost,
-               std::vector<Warning>& warnings)
-        : builder_(builder), mesh_(mesh), slots_(slots), name_(std::move(name)), tellLost_(tellLost), warnings_(warnings)
+    MeshWriter(GltfBuilder& builder, const Mesh& mesh, const GltfMeshUse& use, std::vector<Warning>& warnings)
+        : builder_(builder), mesh_(mesh), slots_(use.slots), joints_(use.joints), name_(use.name), tellLost_(use.tellLost), warnings_(warnings)
     {}
     json write(Progress* progress);
 
@@ -47,6 +47,8 @@ private:
     void addColors();
     void addTargets();
     void addCustom();
+    void addSkin();
+    void putSkin(const GltfSplit& s, json& attributes);
     void tellLost();
     bool handled(const Attribute& a) const { return handled_.contains({a.name, a.domain}); }
     const Attribute* either(std::string_view name) const
@@ -84,9 +86,11 @@ private:
     GltfBuilder& builder_;
     const Mesh& mesh_;
     const std::vector<GltfSlot>& slots_;
-    std::string name_;
-    bool tellLost_;
+    const size_t joints_;
+    const std::string& name_;
+    const bool tellLost_;
     std::vector<Warning>& warnings_;
+    GltfSkinning skinning_;
     std::vector<GltfSource> sources_;
     std::vector<std::string> targetNames_;
     std::set<std::pair<std::string, Domain>> handled_;
@@ -166,7 +170,44 @@ void MeshWriter::findSources()
     addColors();
     addTargets();
     addCustom();
+    addSkin();
     tellLost();
+}
+
+void MeshWriter::addSkin()
+{
+    if (!joints_) return;
+    skinning_ = gltfSkinning(mesh_, joints_);
+    if (!skinning_.sets) return;
+    handled_.insert({{std::string(names::joints), Domain::Vertex}, {std::string(names::weights), Domain::Vertex}});
+    if (skinning_.unbound)
+        warnings_.push_back({"unbound-vertices",
+                             "mesh \"" + name_ + "\": " + std::to_string(skinning_.unbound) +
+                                 " vertices hang on no joint, which glTF cannot say; they were written as moving with the first joint",
+                             {}});
+}
+
+void MeshWriter::putSkin(const GltfSplit& s, json& attributes)
+{
+    const size_t n = 4 * skinning_.sets;
+    for (size_t set = 0; set < skinning_.sets; ++set) {
+        std::vector<float> weights;
+        std::vector<uint16_t> joints;
+        for (const uint32_t v : s.vertex)
+            for (size_t k = n * v + 4 * set; k < n * v + 4 * set + 4; ++k) {
+                weights.push_back(skinning_.weights[k]);
+                joints.push_back(skinning_.joints[k]);
+            }
+        const auto add = [&](std::span<const uint8_t> bytes, int component) {
+            const size_t view = builder_.addView(bytes, vertexTarget);
+            return builder_.append("accessors", {{"bufferView", view}, {"componentType", component}, {"count", s.vertex.size()}, {"type", "VEC4"}});
+        };
+        const std::vector<uint8_t> narrow(joints.begin(), joints.end());
+        const std::string number = std::to_string(set);
+        attributes["JOINTS_" + number] =
+            joints_ <= 256 ? add(narrow, byteType) : add({reinterpret_cast<const uint8_t*>(joints.data()), 2 * joints.size()}, shortType);
+        attributes["WEIGHTS_" + number] = addFloats(weights, 4);
+    }
 }
 
 // Triangles of the triangulation by slot; -1 for faces whose slot does not exist.
@@ -245,6 +286,7 @@ json MeshWriter::primitive(const GltfSplit& s, const GltfSlot& slot, int mode)
         if (a.semantic.starts_with("COLOR_")) attributes["COLOR_" + std::to_string(colors++)] = addColor(s, a);
         if (a.semantic.starts_with("_")) attributes[a.semantic] = addFloats(values(s, a), a.components);
     }
+    putSkin(s, attributes);
     json out{{"attributes", std::move(attributes)}};
     if (!targetNames_.empty()) out["targets"] = targets(s, mode == triangleMode);
     if (mode != pointMode) out["indices"] = addIndices(s);
@@ -409,10 +451,9 @@ size_t MeshWriter::addIndices(const GltfSplit& s)
 
 }  // namespace
 
-json gltfMeshOf(GltfBuilder& builder, const Mesh& mesh, const std::vector<GltfSlot>& slots, const std::string& name, bool tellLost,
-                std::vector<Warning>& warnings, Progress* progress)
+json gltfMeshOf(GltfBuilder& builder, const Mesh& mesh, const GltfMeshUse& use, std::vector<Warning>& warnings, Progress* progress)
 {
-    return MeshWriter(builder, mesh, slots, name, tellLost, warnings).write(progress);
+    return MeshWriter(builder, mesh, use, warnings).write(progress);
 }
 
 }  // namespace mw

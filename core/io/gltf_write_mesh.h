@@ -16,9 +16,16 @@ struct GltfSlot {
     int tangentSet = -1;  ///< the set its normal map uses; -1: none
 };
 
-/// "primitives" and what belongs to them. Null when the mesh has nothing to draw. `tellLost` says whether attributes that glTF cannot hold
-/// are worth a warning.
-nlohmann::json gltfMeshOf(GltfBuilder& builder, const Mesh& mesh, const std::vector<GltfSlot>& slots, const std::string& name, bool tellLost,
-                          std::vector<Warning>& warnings, Progress* progress = nullptr);
+/// What the scene says of a mesh.
+struct GltfMeshUse {
+    std::vector<GltfSlot> slots;
+    size_t joints = 0;  ///< of the skin that poses it; 0: none, its joints and weights are not written
+    std::string name;
+    bool tellLost = true;  ///< attributes that glTF cannot hold are worth a warning
+};
+
+/// "primitives" and what belongs to them. Null when the mesh has nothing to draw.
+nlohmann::json gltfMeshOf(GltfBuilder& builder, const Mesh& mesh, const GltfMeshUse& use, std::vector<Warning>& warnings,
+                          Progress* progress = nullptr);
 
 }  // namespace mw

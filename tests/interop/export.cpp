@@ -90,6 +90,51 @@ Scene deepTree()
     return s;
 }
 
+// A skinned node with a child and a transform, joints below several roots, a joint named twice; a vertex without weights,
+// joints that are not there; keys that floats cannot tell apart, numbers that are none, a curve of one key, a scale that is driven twice.
+Scene oddMotion()
+{
+    Scene s = test::movingScene();
+    const NodeId rig = s.roots()[0], body = s.node(rig).children[1], hip = s.node(rig).children[0], knee = s.node(hip).children[0];
+    Node child = s.node(rig);
+    child.name = "below";
+    s.add(child, body);
+    s.reparent(knee, {});
+    Skin skin = *s.find(s.skins()[0]);
+    skin.joints.push_back(hip);
+    skin.inverseBind.push_back(glm::dmat4(std::nan("")));
+    s.set(s.skins()[0], skin);
+    MeshObject o = *s.find(s.meshes()[0]);
+    Array<float> weights(o.base.vertexCount() * 8, 0.3f);
+    Array<int32_t> joints(weights.size(), 0);
+    for (size_t i = 0; i < weights.size(); ++i) {
+        joints[i] = int32_t(i % 7) - 1;
+        if (i < 8) weights[i] = 0;
+    }
+    o.base = o.base.with(integerAttribute("joints", Domain::Vertex, 8, joints)).with(floatAttribute("weights", Domain::Vertex, 8, weights));
+    s.set(s.meshes()[0], o);
+    Clip odd{"odd", {}, 0};
+    const auto add = [&](NodeId n, Channel::Path path, Channel::Interpolation i, int components, Array<double> t, Array<double> v) {
+        odd.channels.push_back(std::make_shared<const Channel>(Channel{n, path, i, components, std::move(t), std::move(v)}));
+    };
+    using P = Channel::Path;
+    using I = Channel::Interpolation;
+    add(hip, P::Translation, I::Linear, 3, {1, 1 + 1e-12, 2}, {0, 0, 0, 1, 1, 1, 2, 2, 2});
+    add(hip, P::Rotation, I::Cubic, 4, {1}, {0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 0});
+    add(hip, P::Scale, I::Linear, 3, {0}, {1, 1, 1});
+    add(hip, P::Scale, I::Step, 3, {0, 3}, {1, 1, 1, 2, 2, 2});
+    add(body, P::Translation, I::Linear, 3, {0}, {5, 0, 0});
+    add(body, P::Weights, I::Step, 3, {0, 1}, {0, 1, 0.5, 1, 0, 0.5});
+    add(knee, P::Rotation, I::Linear, 4, {0, 1}, {0, 0, 0, 0, 2, 0, 0, 0});
+    add(knee, P::PositionX, I::Linear, 1, {0, 1}, {0, std::nan("")});
+    add(rig, P::Weights, I::Linear, 1, {0}, {1});
+    s.add(odd);
+    Clip lost{"lost", {}, 0};
+    lost.channels.push_back(odd.channels.back());
+    s.add(lost);
+    return s;
+}
+
 void both(const Scene& s, const std::filesystem::path& folder, const std::string& name)
 {
     writeGltf(s, folder / (name + ".glb"));
@@ -101,6 +146,8 @@ void generated(const std::filesystem::path& folder)
 {
     both(Scene(), folder, "empty");
     both(sceneWith(Mesh()), folder, "empty mesh");
+    both(test::movingScene(), folder, "moving");
+    both(oddMotion(), folder, "odd_motion");
     both(test::richScene(), folder, "rich \xC3\xA4 #1");
     both(sceneWith(test::sheet(300)), folder, "large");  // 32-bit indices
     both(oddAttributes(), folder, "odd_attributes");

@@ -4,6 +4,8 @@
 #include <set>
 #include <tiny_gltf.h>
 
+#include "core/scene/scene_pose.h"
+
 #include "data.h"
 #include "samples.h"
 
@@ -309,6 +311,220 @@ TEST(GltfMotion, TargetsKeepTheirPlaces)
         if (a.name.starts_with("morph:")) names.push_back(a.name);
     EXPECT_EQ(names, (std::vector<std::string>{"morph:empty", "morph:wide"}));
     EXPECT_EQ(in.scene.find(in.scene.clips()[0])->channels.size(), 3u);
+}
+
+// Written and read again.
+
+std::multiset<std::string> namesOf(const Scene& s)
+{
+    std::multiset<std::string> names;
+    for (const NodeId n : s.nodes()) names.insert(s.node(n).name);
+    return names;
+}
+
+std::string pathOf(const Scene& s, NodeId n)
+{
+    std::string path;
+    for (; n; n = s.node(n).parent) path = "/" + s.node(n).name + path;
+    return path;
+}
+
+void expectSameChannel(const Channel& a, const Channel& b)
+{
+    EXPECT_EQ(a.path, b.path);
+    ASSERT_EQ(a.components, b.components);
+    const double last = a.times[a.keys() - 1];
+    std::vector<double> x(size_t(a.components)), y(x.size());
+    for (int i = 0; i < 10; ++i) {
+        sample(a, last * i / 9, x.data());
+        sample(b, last * i / 9, y.data());
+        for (size_t k = 0; k < x.size(); ++k) EXPECT_NEAR(x[k], y[k], 1e-6 * std::max(1.0, std::abs(x[k])));
+    }
+}
+
+void expectSameVertices(const Mesh& a, const Mesh& b)
+{
+    ASSERT_EQ(a.vertexCount(), b.vertexCount());
+    for (const Attribute& x : a.attributes()) {
+        if (x.name == "tangent") continue;  // made to stand at right angles to the normal
+        const Attribute* y = b.find(x.name, x.domain);
+        ASSERT_TRUE(y) << x.name;
+        ASSERT_EQ(x.components, y->components) << x.name;
+        ASSERT_EQ(x.size(), y->size());
+        double worst = 0;
+        for (size_t i = 0; i < x.size(); ++i)
+            for (int k = 0; k < x.components; ++k)
+                if (x.name != "joints" || a.find("weights")->at(i, k) > 0) worst = std::max(worst, std::abs(x.at(i, k) - y->at(i, k)));
+        EXPECT_LE(worst, 1e-6) << x.name;
+    }
+}
+
+TEST_P(RealMotion, ComesBack)
+{
+    MESHWRIGHT_DATA_OR_SKIP(data);
+    const Scene a = readGltf(data / GetParam()).scene;
+    std::vector<Warning> warnings;
+    const Imported again = readGltf(glbOf(a, {}, &warnings), {});
+    const Scene& b = again.scene;
+    EXPECT_TRUE(warnings.empty()) << warnings[0].text;
+    EXPECT_TRUE(again.warnings.empty()) << again.warnings[0].text;
+    EXPECT_EQ(namesOf(a), namesOf(b));
+    ASSERT_EQ(a.clips().size(), b.clips().size());
+    for (size_t c = 0; c < a.clips().size(); ++c) {
+        const Clip &x = *a.find(a.clips()[c]), &y = *b.find(b.clips()[c]);
+        EXPECT_EQ(x.name, y.name);
+        ASSERT_EQ(x.channels.size(), y.channels.size());
+        for (size_t i = 0; i < x.channels.size(); ++i) {
+            EXPECT_EQ(pathOf(a, x.channels[i]->node), pathOf(b, y.channels[i]->node));
+            expectSameChannel(*x.channels[i], *y.channels[i]);
+        }
+    }
+    ASSERT_EQ(a.meshes().size(), b.meshes().size());
+    for (size_t m = 0; m < a.meshes().size(); ++m) expectSameVertices(a.find(a.meshes()[m])->base, b.find(b.meshes()[m])->base);
+    ASSERT_EQ(a.materials().size(), b.materials().size());
+    for (size_t m = 0; m < a.materials().size(); ++m) EXPECT_EQ(a.find(a.materials()[m])->name, b.find(b.materials()[m])->name);
+    ASSERT_EQ(a.skins().size(), b.skins().size());
+    for (size_t k = 0; k < a.skins().size(); ++k) {
+        const Skin &x = *a.find(a.skins()[k]), &y = *b.find(b.skins()[k]);
+        EXPECT_EQ(x.name, y.name);
+        EXPECT_EQ(x.inverseBind, y.inverseBind);
+        ASSERT_EQ(x.joints.size(), y.joints.size());
+        for (size_t j = 0; j < x.joints.size(); ++j) EXPECT_EQ(pathOf(a, x.joints[j]), pathOf(b, y.joints[j]));
+    }
+}
+
+// Where everything stands at a time, by path of names.
+std::map<std::string, glm::dmat4> stands(const Scene& s, size_t clip, double time)
+{
+    std::map<std::string, glm::dmat4> out;
+    for (const auto& [id, m] : worldMatrices(s, poseAt(s, *s.find(s.clips()[clip]), time))) out[pathOf(s, id)] = m;
+    return out;
+}
+
+double difference(const std::map<std::string, glm::dmat4>& a, const std::map<std::string, glm::dmat4>& b)
+{
+    double worst = 0;
+    for (const auto& [path, m] : a)
+        if (path.find("body") == std::string::npos)
+            for (int c = 0; c < 4; ++c)
+                for (int r = 0; r < 4; ++r) worst = std::max(worst, std::abs(m[c][r] - b.at(path)[c][r]));
+    return worst;
+}
+
+TEST(GltfMotion, EulerAnglesBecomeRotationsOfTheSameWay)
+{
+    const Scene a = test::movingScene();
+    const Scene b = readGltf(glbOf(a), {}).scene;
+    ASSERT_EQ(b.clips().size(), 2u);
+    EXPECT_EQ(b.find(b.clips()[0])->name, "walk");
+    for (const double t : {0.0, 0.25, 1.0 / 3, 0.5, 1.0, 1.5, 2.0}) EXPECT_LT(difference(stands(a, 0, t), stands(b, 0, t)), 1e-6) << t;
+    // 390 degrees about each of three axes in one second: with the keys of the file alone it would be a turn of less than half.
+    const Clip& clip = *b.find(b.clips()[1]);
+    ASSERT_EQ(clip.channels.size(), 2u);  // translation and rotation
+    const Channel& turn = *clip.channels[1];
+    EXPECT_EQ(turn.keys(), 21u);
+    for (size_t k = 0; k < turn.keys(); ++k) EXPECT_LT(difference(stands(a, 1, turn.times[k]), stands(b, 1, turn.times[k])), 1e-6);
+    for (double t = 0; t < 2; t += 0.01) EXPECT_LT(difference(stands(a, 1, t), stands(b, 1, t)), 0.1) << t;
+    for (size_t k = 4; k < turn.values.size(); k += 4) {
+        double dot = 0;
+        for (size_t i = 0; i < 4; ++i) dot += turn.values[k + i] * turn.values[k + i - 4];
+        EXPECT_GT(dot, 0.8);
+    }
+}
+
+TEST(GltfMotion, SkinnedMeshesStandAtTheRoot)
+{
+    Scene s = test::movingScene();
+    const NodeId rig = s.roots()[0], body = s.node(rig).children[1];
+    ASSERT_EQ(s.node(body).name, "body");
+    // Alone it moves there itself, its place meant nothing; with a child, or driven, it stays and a root of its name carries the mesh.
+    for (const bool child : {false, true}) {
+        Node hat;
+        hat.name = "hat";
+        if (child) s.add(hat, body);
+        const Scene b = readGltf(glbOf(s), {}).scene;
+        EXPECT_EQ(b.nodes().size(), s.nodes().size() + child);
+        NodeId shown;
+        for (const NodeId r : b.roots())
+            if (b.node(r).mesh) shown = r;
+        ASSERT_TRUE(shown);
+        EXPECT_EQ(b.node(shown).name, "body");
+        EXPECT_TRUE(b.node(shown).skin);
+        EXPECT_EQ(b.node(shown).local, Transform{});
+        EXPECT_EQ(b.node(shown).morphWeights, (std::vector<double>{0.1, 0.7}));
+        const auto& channels = b.find(b.clips()[0])->channels;
+        EXPECT_EQ(channels.back()->path, Channel::Path::Weights);
+        EXPECT_EQ(channels.back()->node, shown);
+    }
+}
+
+// Of what a mesh names: the joint of weight 0 is 0, no joint twice at a vertex, sums of 1; more than four weights in sets.
+TEST(GltfMotion, WeightsAreTidyInTheFile)
+{
+    Scene s = test::movingScene();
+    const MeshId id = s.meshes()[0];
+    MeshObject o = *s.find(id);
+    const size_t n = o.base.vertexCount();
+    Array<int32_t> joints;
+    Array<float> weights;
+    for (size_t v = 0; v < n; ++v) {
+        joints.insert(joints.end(), {1, 1, 7, -3, 2, 0, 2, 1});
+        if (v)
+            weights.insert(weights.end(), {1, 1, 5, 1, 0.5f, 0.25f, 0.5f, 0.75f});
+        else
+            weights.insert(weights.end(), 8, 0.f);
+    }
+    o.base = o.base.with(integerAttribute("joints", Domain::Vertex, 8, joints)).with(floatAttribute("weights", Domain::Vertex, 8, weights));
+    s.set(id, o);
+    std::vector<Warning> warnings;
+    const Imported in = readGltf(glbOf(s, {}, &warnings), {});
+    EXPECT_TRUE(test::warned(warnings, "unbound-vertices"));
+    EXPECT_TRUE(in.warnings.empty());
+    const Mesh& m = test::onlyMesh(in.scene).base;
+    ASSERT_EQ(m.find("joints")->components, 8);
+    const int32_t expectedJoints[] = {1, 0, 0, 0, 2, 0, 0, 0};
+    const double expectedWeights[] = {2.75 / 4, 0, 0, 0, 0.25, 0.0625, 0, 0};
+    for (int k = 0; k < 8; ++k) {
+        EXPECT_EQ(m.find("joints")->at(5, k), expectedJoints[k]);
+        EXPECT_EQ(m.find("weights")->at(5, k), expectedWeights[k]);
+        EXPECT_EQ(m.find("weights")->at(0, k), k == 0);
+    }
+}
+
+// A skeleton without a mesh is one for other programs, too.
+TEST(GltfMotion, SkeletonsWithoutAMeshStayJoints)
+{
+    Scene s = test::movingScene();
+    s.remove(s.node(s.roots()[0]).children[1]);
+    ASSERT_TRUE(s.skins().empty());
+    const Imported in = readGltf(glbOf(s), {});
+    EXPECT_TRUE(in.warnings.empty());
+    size_t joints = 0;
+    for (const NodeId n : in.scene.nodes()) joints += in.scene.node(n).joint == Node::Joint::Joint;
+    EXPECT_EQ(joints, 3u);
+}
+
+// Joints below several roots, and one that a skin names twice: glTF wants one root and each joint once.
+TEST(GltfMotion, JointsFindACommonRoot)
+{
+    Scene s = test::movingScene();
+    const NodeId other = s.node(s.roots()[0]).children[0];
+    s.reparent(s.node(other).children[0], {});
+    const SkinId id = s.skins()[0];
+    Skin skin = *s.find(id);
+    skin.joints.push_back(skin.joints[0]);
+    skin.inverseBind.push_back(glm::dmat4(2));
+    s.set(id, skin);
+    const Scene b = readGltf(glbOf(s), {}).scene;
+    const Skin& read = *b.find(b.skins()[0]);
+    ASSERT_EQ(read.joints.size(), 4u);
+    EXPECT_EQ(b.node(read.joints[3]).parent, read.joints[0]);
+    EXPECT_EQ(b.node(read.joints[3]).local, Transform{});
+    EXPECT_EQ(read.inverseBind[3][3][3], 1);
+    NodeId top[2];
+    for (int i = 0; i < 2; ++i)
+        for (NodeId n = read.joints[size_t(i)]; n; n = b.node(n).parent) top[i] = n;
+    EXPECT_EQ(top[0], top[1]);
 }
 
 }  // namespace

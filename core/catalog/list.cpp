@@ -8,6 +8,7 @@
 #include "core/simplify/decimate_quadric.h"
 #include "core/subdivide/subdivide_loop.h"
 #include "core/terrain/diamond_square.h"
+#include "core/terrain/perlin.h"
 
 namespace mw {
 
@@ -78,6 +79,14 @@ std::span<const Operation> catalog()
                .steps = true,
                .source = "core/terrain/diamond_square.cpp"},
               diamondSquare),
+        entry({.id = "perlin",
+               .title = "Perlin noise",
+               .section = "5.3",
+               .summary = "Hills of several sizes: random vectors at growing density, interpolated and added.",
+               .category = "Terrain",
+               .steps = true,
+               .source = "core/terrain/perlin.cpp"},
+              perlin),
     };
     return operations;
 }

@@ -46,6 +46,18 @@ public:
         if (y + half < side_) m.parent[m.count++] = index(x, y + half);
         return displaced(m, sigma);
     }
+    /// A row of either, when nobody watches; gives the number of samples made.
+    uint32_t squareRow(uint32_t y, uint32_t half, double sigma)
+    {
+        for (uint32_t x = half; x < side_; x += 2 * half) square(x, y, half, sigma);
+        return (side_ - 1) / (2 * half);
+    }
+    uint32_t diamondRow(uint32_t y, uint32_t half, double sigma)
+    {
+        const uint32_t first = y / half % 2 ? 0 : half;
+        for (uint32_t x = first; x < side_; x += 2 * half) diamond(x, y, half, sigma);
+        return (side_ - 1) / (2 * half) + (first == 0);
+    }
     /// For those who watch a round of squares of side 2 half: what it is going to make is so far the mean along sides and of squares.
     void foresee(uint32_t half);
     /// Heights are known at this spacing; between them the surface is bilinear.
@@ -106,6 +118,10 @@ void Grid::foresee(uint32_t half)
 /// Heights of the samples x0 to x1 of a row.
 void Grid::fillRow(float* out, uint32_t x0, uint32_t x1, uint32_t y) const
 {
+    if (known_ == 1) {
+        std::copy(h_.data() + index(x0, y), h_.data() + index(x1, y), out);
+        return;
+    }
     const uint32_t top = std::min(y - y % known_, side_ - 1 - known_);
     const double v = double(y - top) / known_;
     for (uint32_t x = x0; x < x1; ++x) {
@@ -154,7 +170,8 @@ void stretch(Array<float>& heights, double least, double most)
     for (float& h : heights) h = float((double(h) - least) * scale);
 }
 
-constexpr uint32_t pause = 1u << 15;  // samples between two pauses when nobody watches
+constexpr const char* letters[] = {"A", "B", "C", "D"};
+constexpr uint32_t pause = 1u << 16;  // samples between two pauses when nobody watches
 
 }  // namespace
 
@@ -164,71 +181,64 @@ Generator diamondSquare(DiamondSquare parameters, Stage<HeightMap>& stage)
     const uint32_t rounds = parameters.rounds > 0 ? std::min(n, uint32_t(parameters.rounds)) : n;
     Grid grid(side, parameters);
     stage.show([&] { return grid.shown(); });
-    uint32_t done = 0;
+    uint32_t done = 0, since = 0;
     const double all = double((1u << rounds) + 1) * double((1u << rounds) + 1) - 4;
     double sigma = parameters.sigma;
     for (uint32_t k = 0; k < rounds; ++k, sigma *= 0.5) {
         const uint32_t half = (side - 1) >> (k + 1), step = 2 * half;
-        if (stage.watched()) grid.foresee(half);
         grid.know(half);
+        if (!stage.watched()) {
+            for (uint32_t y = half; y < side; y += step) {
+                const uint32_t made = grid.squareRow(y, half, sigma);
+                done += made, since += made;
+                if (since >= pause) co_yield Step("square").progress(done / all);
+                if (since >= pause) since = 0;
+            }
+            for (uint32_t y = 0; y < side; y += half) {
+                const uint32_t made = grid.diamondRow(y, half, sigma);
+                done += made, since += made;
+                if (since >= pause) co_yield Step("diamond").progress(done / all);
+                if (since >= pause) since = 0;
+            }
+            continue;
+        }
+        grid.foresee(half);
         for (uint32_t y = half; y < side; y += step)
             for (uint32_t x = half; x < side; x += step) {
                 const Made m = grid.square(x, y, half, sigma);
+                grid.touch(m, half);
                 ++done;
-                if (stage.watched()) grid.touch(m, half);
-                if (stage.watched())
-                    co_yield Step("square")
-                        .vertex(m.place, Role::New, "P")
-                        .vertex(m.parent[0], Role::Neighbour, "A")
-                        .vertex(m.parent[1], Role::Neighbour, "B")
-                        .vertex(m.parent[3], Role::Neighbour, "C")
-                        .vertex(m.parent[2], Role::Neighbour, "D")
-                        .number("round", k + 1)
-                        .number("side", step)
-                        .number("sigma", sigma)
-                        .number("mean", m.mean)
-                        .number("displacement", m.displacement)
-                        .number("height", m.height)
-                        .progress(done / all);
-                else if (done % pause == 0)
-                    co_yield Step("square").progress(done / all);
+                co_yield Step("square")
+                    .vertex(m.place, Role::New, "P")
+                    .vertex(m.parent[0], Role::Neighbour, "A")
+                    .vertex(m.parent[1], Role::Neighbour, "B")
+                    .vertex(m.parent[3], Role::Neighbour, "C")
+                    .vertex(m.parent[2], Role::Neighbour, "D")
+                    .number("round", k + 1)
+                    .number("side", step)
+                    .number("sigma", sigma)
+                    .number("mean", m.mean)
+                    .number("displacement", m.displacement)
+                    .number("height", m.height)
+                    .progress(done / all);
             }
         for (uint32_t y = 0; y < side; y += half)
             for (uint32_t x = y / half % 2 ? 0 : half; x < side; x += step) {
                 const Made m = grid.diamond(x, y, half, sigma);
+                grid.touch(m, half);
                 ++done;
-                if (stage.watched()) grid.touch(m, half);
-                if (stage.watched() && m.count == 4)
-                    co_yield Step("diamond")
-                        .vertex(m.place, Role::New, "P")
-                        .vertex(m.parent[0], Role::Neighbour, "A")
-                        .vertex(m.parent[1], Role::Neighbour, "B")
-                        .vertex(m.parent[2], Role::Neighbour, "C")
-                        .vertex(m.parent[3], Role::Neighbour, "D")
-                        .number("round", k + 1)
-                        .number("side", step)
-                        .number("sigma", sigma)
-                        .number("neighbours", 4)
-                        .number("mean", m.mean)
-                        .number("displacement", m.displacement)
-                        .number("height", m.height)
-                        .progress(done / all);
-                else if (stage.watched())
-                    co_yield Step("diamond")
-                        .vertex(m.place, Role::New, "P")
-                        .vertex(m.parent[0], Role::Neighbour, "A")
-                        .vertex(m.parent[1], Role::Neighbour, "B")
-                        .vertex(m.parent[2], Role::Neighbour, "C")
-                        .number("round", k + 1)
-                        .number("side", step)
-                        .number("sigma", sigma)
-                        .number("neighbours", 3)
-                        .number("mean", m.mean)
-                        .number("displacement", m.displacement)
-                        .number("height", m.height)
-                        .progress(done / all);
-                else if (done % pause == 0)
-                    co_yield Step("diamond").progress(done / all);
+                Step s("diamond");
+                std::move(s).vertex(m.place, Role::New, "P");
+                for (uint32_t i = 0; i < m.count; ++i) std::move(s).vertex(m.parent[i], Role::Neighbour, letters[i]);
+                co_yield std::move(s)
+                    .number("round", k + 1)
+                    .number("side", step)
+                    .number("sigma", sigma)
+                    .number("neighbours", m.count)
+                    .number("mean", m.mean)
+                    .number("displacement", m.displacement)
+                    .number("height", m.height)
+                    .progress(done / all);
             }
         if (half > 1)
             co_yield Step("interpolate")

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/character/interpolate_rotation.h"
 #include "render/colors.h"
 #include "render/height_grid.h"
 
@@ -131,20 +132,6 @@ Mesh globe()
         circle([&](double a) { return glm::dvec3(std::cos(up) * std::cos(a), std::sin(up), std::cos(up) * std::sin(a)); });
     }
     return Mesh(std::move(points), Array<uint32_t>{0u}, Array<uint32_t>{}).withLines(std::move(lines));
-}
-
-/// The body axis whose tip goes furthest: its way is the one to look at.
-glm::dvec3 tracedAxis(const Rotations& r)
-{
-    glm::dvec3 best(1, 0, 0);
-    double least = 2;
-    for (int k = 0; k < 3; ++k) {
-        glm::dvec3 axis(0);
-        axis[k] = 1;
-        const double cosine = glm::dot(r.from * axis, r.to * axis);
-        if (cosine < least - 1e-9) least = cosine, best = axis;
-    }
-    return best;
 }
 
 void add(Place p, const Rotations& r)

@@ -205,6 +205,90 @@ Frame loopLevels()
     return f;
 }
 
+/// Seen from the front, without a wire over it: for what lies in the plane.
+Frame plane()
+{
+    Frame f = plain();
+    f.camera.azimuth = f.camera.elevation = 0;
+    f.options.grid = false;
+    return f;
+}
+
+/// Values of any kind in a row, each `width` wide, with a line of text below.
+void putValue(Frame& f, const Value& value, size_t place, double width, const std::string& text, const StepRecord* step = nullptr)
+{
+    const glm::dmat4 at = glm::translate(glm::dmat4(1), glm::dvec3(width * double(place), 0, 0));
+    const NodeId node{uint32_t(place + 1)};
+    addValue(f, value, node, at);
+    if (step) addFocus(f, *step, value, node, at);
+    if (!text.empty()) f.labels.push_back({glm::vec3(width * double(place), -0.6 * width, 0), text, glm::vec4(0.9, 0.91, 0.92, 1)});
+}
+
+Value any(std::string_view id, const char* parameters, const Value& input = {})
+{
+    const Operation& op = operation(id);
+    return apply(op, input, parsed(op.parameters, parameters));
+}
+
+Frame sampleCurves()
+{
+    Frame f = plane();
+    const char* shapes[] = {"zigzag", "wave", "star", "spiral", "letter"};
+    for (size_t i = 0; i < std::size(shapes); ++i)
+        putValue(f, any("sample-curve", ("points=14,shape=" + std::string(shapes[i])).c_str()), i, 2.6, shapes[i]);
+    return f;
+}
+
+Frame curves()
+{
+    Frame f = plane();
+    const Value polygon = any("sample-curve", "shape=star,points=10");
+    const char* schemes[] = {"four-point", "positive", "b-spline"};
+    for (size_t i = 0; i < std::size(schemes); ++i)
+        putValue(f, any("subdivide-curve", ("levels=5,scheme=" + std::string(schemes[i])).c_str(), polygon), i, 2.6, schemes[i]);
+    return f;
+}
+
+Frame rotations()
+{
+    Frame f = plain();
+    f.camera.azimuth = 0.6;
+    f.options.wireOverlay = f.options.grid = false;
+    addValue(f, any("interpolate-rotation", "samples=49"), NodeId{1}, glm::dmat4(1));
+    return f;
+}
+
+/// A chain as it begins, in the middle of a solver's work, and solved.
+Frame solving(const char* solver, const char* phase)
+{
+    Frame f = plane();
+    const Value chain = any("joint-chain", "links=5,lengths=0.8,angles=75 -35,target=2/0.9/0");
+    putValue(f, chain, 0, 3.6, "Begin");
+    if (solver) {
+        const Operation& op = operation(solver);
+        Stepper stepper(stepping(op, chain, {}));
+        stepper.seekWhere([&, n = 0](const StepRecord& r) mutable { return r.phase == phase && ++n == 3; });
+        putValue(f, valueOf(stepper.value()), 1, 3.6, "Step " + std::to_string(stepper.step().index), &stepper.step());
+        putValue(f, any(solver, "", chain), 2, 3.6, "End");
+    }
+    return f;
+}
+
+Frame jointChain()
+{
+    return solving(nullptr, "");
+}
+
+Frame ccdSteps()
+{
+    return solving("ccd", "turn");
+}
+
+Frame fabrikSteps()
+{
+    return solving("fabrik", "forward");
+}
+
 struct Picturing {
     const char* id;         ///< file name
     const char* operation;  ///< of the catalog
@@ -220,6 +304,12 @@ constexpr Picturing pictures[] = {
     {"decimate-quadric", "decimate-quadric", decimation},
     {"decimate-quadric-step", "decimate-quadric", decimationStep},
     {"subdivide-loop", "subdivide-loop", loopLevels},
+    {"sample-curve", "sample-curve", sampleCurves},
+    {"subdivide-curve", "subdivide-curve", curves},
+    {"interpolate-rotation", "interpolate-rotation", rotations},
+    {"joint-chain", "joint-chain", jointChain},
+    {"ccd", "ccd", ccdSteps},
+    {"fabrik", "fabrik", fabrikSteps},
 };
 
 bool wanted(const Picturing& p, const std::optional<std::string>& only)

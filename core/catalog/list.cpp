@@ -1,11 +1,17 @@
 // The list of operations, in menu order: one entry each.
 #include "core/catalog/entries.h"
+#include "core/character/ccd.h"
+#include "core/character/fabrik.h"
+#include "core/character/interpolate_rotation.h"
+#include "core/character/joint_chain.h"
 #include "core/mesh/primitives.h"
+#include "core/mesh/sample_curve.h"
 #include "core/mesh/stripify.h"
 #include "core/metrics/valence.h"
 #include "core/repair/smooth.h"
 #include "core/repair/weld.h"
 #include "core/simplify/decimate_quadric.h"
+#include "core/subdivide/subdivide_curve.h"
 #include "core/subdivide/subdivide_loop.h"
 #include "core/terrain/diamond_square.h"
 #include "core/terrain/perlin.h"
@@ -87,6 +93,54 @@ std::span<const Operation> catalog()
                .steps = true,
                .source = "core/terrain/perlin.cpp"},
               perlin),
+        entry<SampleCurve, Curve>({.id = "sample-curve",
+                                   .title = "Sample curve",
+                                   .section = "3.2",
+                                   .summary = "A polygon to begin a curve with: a shape, or points given one by one.",
+                                   .category = "Curve",
+                                   .source = "core/mesh/sample_curve.cpp"},
+                                  sampleCurve),
+        entry<Curve, SubdivideCurve, Curve>({.id = "subdivide-curve",
+                                             .title = "Subdivide curve",
+                                             .section = "3.2",
+                                             .summary = "Every segment becomes two, and the polygon a curve through its points or near them.",
+                                             .category = "Curve",
+                                             .steps = true,
+                                             .source = "core/subdivide/subdivide_curve.cpp"},
+                                            subdivideCurve),
+        entry<InterpolateRotation, Rotations>({.id = "interpolate-rotation",
+                                               .title = "Interpolate rotations",
+                                               .section = "6.5",
+                                               .summary = "The ways from one orientation to another: by Euler angles, NLERP and SLERP.",
+                                               .category = "Rotation",
+                                               .steps = true,
+                                               .source = "core/character/interpolate_rotation.cpp"},
+                                              interpolateRotation),
+        entry<JointChain, Pose>({.id = "joint-chain",
+                                 .title = "Joint chain",
+                                 .section = "8.1",
+                                 .summary = "A chain of links in the plane, with a target for its end.",
+                                 .category = "Character",
+                                 .source = "core/character/joint_chain.cpp"},
+                                jointChain),
+        entry<Pose, Ccd, Pose>(
+            {.id = "ccd",
+             .title = "CCD",
+             .section = "8.2.1",
+             .summary = "Turns one joint after the other so that the end of a chain comes to a target (cyclic coordinate descent).",
+             .category = "Character",
+             .steps = true,
+             .source = "core/character/ccd.cpp"},
+            ccd),
+        entry<Pose, Fabrik, Pose>(
+            {.id = "fabrik",
+             .title = "FABRIK",
+             .section = "8.2.3",
+             .summary = "Draws the joints of a chain along lines, from the target to the root and back, until its end is there.",
+             .category = "Character",
+             .steps = true,
+             .source = "core/character/fabrik.cpp"},
+            fabrik),
     };
     return operations;
 }

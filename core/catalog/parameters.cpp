@@ -171,15 +171,22 @@ ParameterValues checked(const std::vector<Parameter>& parameters, const Paramete
 ParameterValues parsed(const std::vector<Parameter>& parameters, std::string_view text)
 {
     ParameterValues out;
+    std::string* words = nullptr;  // the text that came last: a text may have commas of its own
     while (!text.empty()) {
         const size_t comma = text.find(',');
         const std::string_view item = text.substr(0, comma);
         text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
         if (item.empty()) continue;
         const size_t equals = item.find('=');
+        if (equals == std::string_view::npos && words) {
+            *words += "," + std::string(item);
+            continue;
+        }
         if (equals == std::string_view::npos) throw Error("parameter \"" + std::string(item) + "\" has no value: write name=value");
         const Parameter& p = named(parameters, item.substr(0, equals));
-        if (!out.emplace(p.name, readValue(p, item.substr(equals + 1))).second) throw Error("parameter " + p.name + " is given twice");
+        const auto [value, first] = out.emplace(p.name, readValue(p, item.substr(equals + 1)));
+        if (!first) throw Error("parameter " + p.name + " is given twice");
+        words = p.type == ParameterType::Text ? &std::get<std::string>(value->second) : nullptr;
     }
     return checked(parameters, out);
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/catalog/catalog.h"
+#include "core/catalog/lesson.h"
 #include "core/steps/stepper.h"
 
 namespace mw {
@@ -44,10 +45,63 @@ Mesh testMesh(bool triangles)
         .with(integerAttribute("material", Domain::Face, 1, material));
 }
 
+// A chain of five joints with a twig, each turned out of its rest, and a target within reach of the last one.
+Pose testPose()
+{
+    auto skeleton = std::make_shared<Skeleton>();
+    Pose p;
+    for (uint32_t i = 0; i < 6; ++i) {
+        Joint j;
+        j.name = "joint" + std::to_string(i);
+        j.parent = i == 0 ? none : i == 5 ? 2 : i - 1;
+        j.rest.translation = {i ? 0.5 : 0, 0, 0};
+        skeleton->joints.push_back(j);
+        Transform t = j.rest;
+        t.rotation = aboutAxis(int(i % 3), 0.3 * (i + 1));
+        p.locals.push_back(t);
+    }
+    p.skeleton = std::move(skeleton);
+    p.targets = {{4, {0.4, 0.6, 0.5}}};
+    return p;
+}
+
+Curve testCurve()
+{
+    return {{{0, 0, 0}, {1, 2, 0}, {2, -1, 0}, {3, 1, 1}, {4, 0, 0}}, {}, false};
+}
+
+HeightMap testHeights()
+{
+    Array<float> rows;
+    for (int y = 0; y < 17; ++y)
+        for (int x = 0; x < 17; ++x) rows.push_back(0.5f + 0.3f * std::sin(0.7f * float(x)) * std::cos(0.4f * float(y)));
+    return HeightMap(17, 17, rows);
+}
+
+Rotations testRotations()
+{
+    Rotations r;
+    r.to = aboutAxis(1, 1.2);
+    r.paths = {{"slerp", {{0, r.from, {0, 0, 0}}, {1, r.to, {0, 1.2, 0}}}}};
+    return r;
+}
+
 Value inputFor(const Operation& op)
 {
-    if (op.accepts == Kind::Mesh) return testMesh(true);
-    return std::monostate{};
+    switch (op.accepts) {
+        case Kind::Mesh:
+            return testMesh(true);
+        case Kind::Pose:
+            return testPose();
+        case Kind::Curve:
+            return testCurve();
+        case Kind::HeightMap:
+            return testHeights();
+        case Kind::Rotations:
+            return testRotations();
+        default:
+            return std::monostate{};
+    }
 }
 
 class Contract : public testing::TestWithParam<const Operation*> {};
@@ -147,6 +201,59 @@ TEST_P(Contract, OddMeshesGiveAResultOrAnError)
         } catch (const Error& e) {
             EXPECT_GT(std::string(e.what()).size(), 10u) << "an error says what, where and what to do";
         }
+    }
+}
+
+TEST_P(Contract, EmptyValuesGiveAResultOrAnError)
+{
+    const Operation& op = *GetParam();
+    const std::map<Kind, Value> empty{{Kind::Pose, Pose{}}, {Kind::Curve, Curve{}}, {Kind::HeightMap, HeightMap{}}, {Kind::Rotations, Rotations{}}};
+    const auto input = empty.find(op.accepts);
+    if (input == empty.end()) return;  // not about it
+    try {
+        EXPECT_EQ(kindOf(apply(op, input->second, {})), op.yields);
+    } catch (const Error& e) {
+        EXPECT_GT(std::string(e.what()).size(), 10u);
+    }
+}
+
+TEST_P(Contract, StepsSpeakOfElementsThatAreThere)
+{
+    const Operation& op = *GetParam();
+    if (!op.steps) return;  // not about it
+    Stepper s(stepping(op, inputFor(op), {}));
+    for (int i = 0; i < 500 && s.forward(); ++i) {
+        const Value now = valueOf(s.value());
+        const size_t joints = kindOf(now) == Kind::Pose ? std::get<Pose>(now).size() : 0;
+        const size_t points = kindOf(now) == Kind::Curve ? std::get<Curve>(now).points.size() : 0;
+        const HeightMap* map = std::get_if<HeightMap>(&now);
+        for (const Focus& f : s.step().focus) {
+            if (f.kind == ElementKind::Joint) {
+                EXPECT_LT(f.index, joints) << s.step().phase;
+            } else if (f.kind == ElementKind::Vertex && points) {
+                EXPECT_LT(f.index, points) << s.step().phase;
+            } else if (f.kind == ElementKind::Vertex && map) {
+                EXPECT_LT(f.index, map->width() * map->height()) << s.step().phase;
+            } else if (f.kind == ElementKind::Cell) {
+                ASSERT_TRUE(map);
+                EXPECT_LT(f.index, (map->width() - 1) * (map->height() - 1)) << s.step().phase;
+            }
+        }
+    }
+}
+
+TEST_P(Contract, EachPhaseHasItsWordsAndNumbers)
+{
+    const Operation& op = *GetParam();
+    if (!op.steps) return;  // not about it
+    const Lesson* lesson = findLesson(op.id);
+    ASSERT_NE(lesson, nullptr);
+    Stepper s(stepping(op, inputFor(op), {}));
+    for (int i = 0; i < 3000 && s.forward(); ++i) {
+        if (s.atEnd()) break;
+        const LessonPhase* phase = lesson->phase(s.step().phase);
+        ASSERT_NE(phase, nullptr) << s.step().phase;
+        for (const Number& n : s.step().numbers) EXPECT_NE(lesson->number(phase->id, n.name), nullptr) << phase->id << ": " << n.name;
     }
 }
 

@@ -1,0 +1,152 @@
+#include "core/subdivide/subdivide_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "core/error.h"
+
+namespace mw {
+
+namespace {
+
+constexpr size_t mostPoints = 4'000'000;
+
+using Points = Array<glm::dvec3>;
+
+/// A polygon that goes on beyond its ends as its reflection in the end point: what lies there is smooth whatever the weights.
+class Polygon {
+public:
+    Polygon(const Points& points, bool closed) : p_(points), closed_(closed) {}
+    glm::dvec3 at(int64_t i) const
+    {
+        const auto n = int64_t(p_.size());
+        if (closed_) return p_[size_t((i % n + n) % n)];
+        if (i < 0) return 2.0 * p_.front() - p_[1];
+        if (i >= n) return 2.0 * p_.back() - p_[size_t(n - 2)];
+        return p_[size_t(i)];
+    }
+    /// An inner one of an open polygon, any of a closed one.
+    bool moves(size_t i) const { return closed_ || (i > 0 && i + 1 < p_.size()); }
+
+private:
+    const Points& p_;
+    bool closed_;
+};
+
+size_t segments(size_t points, bool closed)
+{
+    return closed ? points : points - 1;
+}
+
+/// The greatest angle between neighbouring segments, degrees: what is left of the kinks.
+double greatestKink(const Points& p, bool closed)
+{
+    double most = 0;
+    const Polygon polygon(p, closed);
+    for (size_t i = 0; i < p.size(); ++i) {
+        if (!polygon.moves(i)) continue;
+        const glm::dvec3 a = p[i] - polygon.at(int64_t(i) - 1), b = polygon.at(int64_t(i) + 1) - p[i];
+        most = std::max(most, std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+    }
+    return glm::degrees(most);
+}
+
+void check(const Curve& input, bool closed, int64_t levels)
+{
+    const size_t n = input.points.size();
+    if (n < (closed ? 3u : 2u)) throw Error(closed ? "a closed curve wants three points or more" : "a curve wants two points or more");
+    if (double(n) * std::pow(2.0, double(levels)) > double(mostPoints))
+        throw Error("the curve would have more than " + std::to_string(mostPoints) + " points; take fewer levels");
+}
+
+}  // namespace
+
+Generator subdivideCurve(Curve input, SubdivideCurve p, Stage<Curve>& stage)
+{
+    const bool closed = p.ends == SubdivideCurve::Ends::AsGiven ? input.closed : p.ends == SubdivideCurve::Ends::Closed;
+    check(input, closed, p.levels);
+    const double w = p.scheme == SubdivideCurve::Scheme::Positive ? -0.125 : p.w;
+    const bool spline = p.scheme == SubdivideCurve::Scheme::BSpline;
+    const Points control = input.control.empty() ? input.points : input.control;
+    Points old = input.points, fresh;
+    size_t taken = 0;  // points of `old` that `fresh` stands for
+    // Refined so far, and the rest as it was.
+    stage.show([&] {
+        Curve c{fresh, control, closed};
+        c.points.insert(c.points.end(), old.begin() + ptrdiff_t(taken), old.end());
+        return c;
+    });
+
+    size_t made = 0;
+    for (int64_t level = 1; level <= p.levels; ++level) {
+        const Polygon polygon(old, closed);
+        const size_t n = old.size();
+        for (size_t i = 0; i < n; ++i) {
+            const auto k = int64_t(i);
+            const double done = (double(level - 1) + double(i) / double(n)) / double(p.levels);
+            glm::dvec3 point = old[i];
+            if (spline && polygon.moves(i)) {
+                const glm::dvec3 before = polygon.at(k - 1), after = polygon.at(k + 1);
+                point = (before + 6.0 * old[i] + after) / 8.0;
+                fresh.push_back(point);
+                taken = i + 1;
+                if (stage.watched() || (++made & 1023) == 0)
+                    co_yield Step("move")
+                        .segment(glm::vec3(old[i]), glm::vec3(point), Role::Removed)
+                        .point(glm::vec3(before), Role::Neighbour, "a")
+                        .point(glm::vec3(old[i]), Role::Current, "b")
+                        .point(glm::vec3(after), Role::Neighbour, "c")
+                        .vertex(uint32_t(fresh.size() - 1), Role::New, "v")
+                        .number("level", double(level))
+                        .number("index", double(i))
+                        .number("moved", glm::distance(old[i], point))
+                        .progress(done);
+            } else {
+                fresh.push_back(point);
+                taken = i + 1;
+            }
+            if (i >= segments(n, closed)) continue;
+            const glm::dvec3 a = polygon.at(k - 1), b = old[i], c = polygon.at(k + 1), d = polygon.at(k + 2);
+            const glm::dvec3 middle = 0.5 * (b + c);
+            point = spline ? middle : -w * a + (0.5 + w) * (b + c) - w * d;
+            fresh.push_back(point);
+            if (!stage.watched() && (++made & 1023) != 0) continue;
+            if (spline)
+                co_yield Step("middle")
+                    .point(glm::vec3(b), Role::Current, "b")
+                    .point(glm::vec3(c), Role::Current, "c")
+                    .vertex(uint32_t(fresh.size() - 1), Role::New, "e")
+                    .number("level", double(level))
+                    .number("index", double(i))
+                    .progress(done);
+            else
+                co_yield Step("insert")
+                    .segment(glm::vec3(middle), glm::vec3(point), Role::Removed)
+                    .point(glm::vec3(a), Role::Neighbour, "a")
+                    .point(glm::vec3(b), Role::Current, "b")
+                    .point(glm::vec3(c), Role::Current, "c")
+                    .point(glm::vec3(d), Role::Neighbour, "d")
+                    .vertex(uint32_t(fresh.size() - 1), Role::New, "e")
+                    .number("level", double(level))
+                    .number("index", double(i))
+                    .number("outer", -w)
+                    .number("inner", 0.5 + w)
+                    .number("offset", glm::distance(middle, point))
+                    .progress(done);
+        }
+        old = std::move(fresh);
+        fresh.clear();
+        taken = 0;
+        const double kink = stage.watched() ? greatestKink(old, closed) : 0;
+        co_yield Step("level")
+            .number("level", double(level))
+            .number("points", double(old.size()))
+            .number("kink", kink)
+            .progress(double(level) / double(p.levels));
+    }
+    stage.finish(Curve{std::move(old), control, closed});
+}
+
+}  // namespace mw

@@ -7,6 +7,7 @@
 #include "app/cli/output.h"
 #include "app/cli/verb.h"
 #include "core/io/io.h"
+#include "core/scene/scene_pose.h"
 
 namespace mw::cli {
 
@@ -68,6 +69,52 @@ nlohmann::json meshJson(const MeshInfo& info)
             {"morph_targets", morphTargets(info.mesh)}};
 }
 
+// Names of the joints from a topmost one down, in the order of the tree; end sites only say where the last one ends.
+std::vector<std::string> jointNames(const Scene& scene, NodeId top)
+{
+    std::vector<std::string> names;
+    std::vector<NodeId> open{top};
+    while (!open.empty()) {
+        const Node& n = scene.node(open.back());
+        open.pop_back();
+        if (n.joint == Node::Joint::Joint) names.push_back(n.name);
+        open.insert(open.end(), n.children.rbegin(), n.children.rend());
+    }
+    return names;
+}
+
+nlohmann::json skeletonsJson(const Scene& scene)
+{
+    nlohmann::json out = nlohmann::json::array();
+    for (const NodeId top : skeletonRoots(scene)) out.push_back({{"root", scene.node(top).name}, {"joints", jointNames(scene, top)}});
+    return out;
+}
+
+nlohmann::json clipsJson(const Scene& scene)
+{
+    nlohmann::json out = nlohmann::json::array();
+    for (const ClipId id : scene.clips()) {
+        const Clip& c = *scene.find(id);
+        out.push_back({{"name", c.name}, {"duration", finite(duration(c))}, {"channels", c.channels.size()}, {"keys", keyCount(c)}});
+    }
+    return out;
+}
+
+nlohmann::json terrainsJson(const Scene& scene)
+{
+    nlohmann::json out = nlohmann::json::array();
+    for (const TerrainId id : scene.terrains()) {
+        const Terrain& t = scene.find(id)->terrain;
+        out.push_back({{"name", t.name},
+                       {"width", t.map.width()},
+                       {"height", t.map.height()},
+                       {"extent", finite(t.extent)},
+                       {"maximum_height", finite(t.maximumHeight)},
+                       {"water_level", finite(t.waterLevel)}});
+    }
+    return out;
+}
+
 nlohmann::json asJson(const std::string& file, const Imported& in, const std::vector<MeshInfo>& meshes)
 {
     nlohmann::json list = nlohmann::json::array(), warnings = nlohmann::json::array();
@@ -82,8 +129,9 @@ nlohmann::json asJson(const std::string& file, const Imported& in, const std::ve
             {"nodes", in.scene.nodes().size()},
             {"materials", in.scene.materials().size()},
             {"images", in.scene.images().size()},
-            {"skeletons", nlohmann::json::array()},
-            {"clips", nlohmann::json::array()},
+            {"skeletons", skeletonsJson(in.scene)},
+            {"clips", clipsJson(in.scene)},
+            {"terrains", terrainsJson(in.scene)},
             {"warnings", warnings}};
 }
 
@@ -151,6 +199,39 @@ void printFinding(const Finding& f)
     std::cout << "\n    " << f.remedy << '\n';
 }
 
+// The first few, so that a line stays one.
+std::string firstOf(const std::vector<std::string>& names)
+{
+    std::string out;
+    for (size_t i = 0; i < names.size(); ++i) {
+        if (out.size() > 60) return out + ", ...";
+        out += (i ? ", " : "") + (names[i].empty() ? "(no name)" : names[i]);
+    }
+    return out;
+}
+
+void printMotion(const Scene& scene)
+{
+    const std::vector<NodeId> tops = skeletonRoots(scene);
+    if (!tops.empty() || !scene.clips().empty() || !scene.terrains().empty()) std::cout << '\n';
+    for (const NodeId top : tops) {
+        const std::vector<std::string> names = jointNames(scene, top);
+        std::cout << "skeleton \"" << scene.node(top).name << "\": " << counted(names.size(), "joint") << " (" << firstOf(names) << ")\n";
+    }
+    for (const ClipId id : scene.clips()) {
+        const Clip& c = *scene.find(id);
+        std::cout << "clip \"" << c.name << "\": " << shown(duration(c)) << " s, " << counted(c.channels.size(), "channel") << ", "
+                  << counted(keyCount(c), "key");
+        if (c.frameTime > 0) std::cout << ", " << shown(1 / c.frameTime) << " frames a second";
+        std::cout << '\n';
+    }
+    for (const TerrainId id : scene.terrains()) {
+        const Terrain& t = scene.find(id)->terrain;
+        std::cout << "terrain \"" << t.name << "\": " << t.map.width() << " x " << t.map.height() << " samples, " << shown(t.extent)
+                  << " m wide, height 1 is " << shown(t.maximumHeight) << " m, water at " << shown(t.waterLevel) << " m\n";
+    }
+}
+
 void printText(const std::string& file, const Imported& in, const std::vector<MeshInfo>& meshes)
 {
     std::cout << file << ": " << in.format << ", units " << in.units << (in.project ? ", a Meshwright project" : "") << '\n'
@@ -163,6 +244,7 @@ void printText(const std::string& file, const Imported& in, const std::vector<Me
         printAttributes(m.mesh);
         wrong = wrong || !m.wrong.empty();
     }
+    printMotion(in.scene);
     if (!wrong) {
         std::cout << "\nNothing is wrong with it.\n";
         return;
@@ -209,7 +291,8 @@ int run(Arguments& arguments)
 
 const Verb infoVerb{"info", "what is in a file, and what is wrong with it",
                     "info FILE [--json]\n\n"
-                    "Counts, topology, bounds and attributes of each mesh, and what is wrong with it, worst first, with what helps.\n"
+                    "Counts, topology, bounds and attributes of each mesh; skeletons, clips and terrains; and what is wrong, worst first,\n"
+                    "with what helps.\n"
                     "  --json   one JSON object instead of text\n",
                     run};
 

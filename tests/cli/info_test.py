@@ -19,7 +19,7 @@ f 2 6 8 4
 class Info(Case):
     def test_schema(self):
         info = self.json("info", self.write("cube.obj", CUBE), "--json")
-        self.assertLessEqual({"file", "meshes", "nodes", "materials", "images", "skeletons", "clips", "warnings"}, info.keys())
+        self.assertLessEqual({"file", "meshes", "nodes", "materials", "images", "skeletons", "clips", "terrains", "warnings"}, info.keys())
         self.assertEqual(info["file"], str(self.folder / "cube.obj"))
         self.assertEqual(set(info["meshes"][0]), KEYS)
 
@@ -46,6 +46,53 @@ class Info(Case):
     def test_points_only(self):
         m = self.mesh(self.write("p.obj", "v 1 2 3\nv 4 5 6\n"))
         self.assertEqual((m["vertices"], m["faces"], m["components"], m["area"]), (2, 0, 0, 0))
+
+
+BVH = """HIERARCHY
+ROOT Hips
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Chest
+  {
+    OFFSET 0 5 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    End Site
+    {
+      OFFSET 0 5 0
+    }
+  }
+}
+MOTION
+Frames: 3
+Frame Time: 0.5
+0 0 0 0 0 0 0 0 0
+1 0 0 0 0 0 0 0 0
+2 0 0 0 0 0 0 0 0
+"""
+
+
+class Moving(Case):
+    def test_skeleton_and_clip(self):
+        file = self.write("walk.bvh", BVH)
+        info = self.json("info", file, "--json")
+        self.assertEqual(info["skeletons"], [{"root": "Hips", "joints": ["Hips", "Chest"]}])  # an end site is no joint
+        clip, = info["clips"]
+        self.assertEqual((clip["duration"], clip["channels"], clip["keys"]), (1.0, 9, 27))
+        text = self.ok("info", file).out
+        self.assertIn('skeleton "Hips": 2 joints (Hips, Chest)', text)
+        self.assertIn("1 s, 9 channels, 27 keys, 2 frames a second", text)
+
+    @needs_data
+    def test_files_of_the_data_set(self):
+        """Joints, clips and durations as their JSON states them."""
+        for name, roots, joints, clips, duration in (("cesium_man.gltf", 1, 19, 1, 2.0), ("rigged_simple.gltf", 1, 2, 1, 2.08333),
+                                                     ("simple_skin.gltf", 1, 2, 1, 5.5), ("robot.glb", 1, 43, 14, None)):
+            info = self.json("info", DATA / "characters" / name, "--json")
+            self.assertEqual((len(info["skeletons"]), sum(len(s["joints"]) for s in info["skeletons"]), len(info["clips"])), (roots, joints, clips))
+            if duration:
+                self.assertAlmostEqual(info["clips"][0]["duration"], duration, 4)
+        self.assertEqual(info["clips"][10]["name"], "Robot_Walking")
 
 
 @needs_data

@@ -14,10 +14,10 @@ constexpr uint32_t categories[categoryCount] = {0x60A8DE, 0xF0DE18, 0xDE1860, 0x
                                                 0x84BA96, 0xA86072, 0xA8603C, 0x8484F0, 0xF0A8CC, 0xF072CC, 0x18A884, 0x2AA8BA};
 constexpr double viridisFrom = 0.06;  // so that the low end does not sink into the dark view
 
-constexpr ThemeColors dark{hex(0x3A3F46), hex(0x25282D), hex(0x1F2225), hex(0x3D434A), hex(0x17191C),
-                           hex(0xE6E8EB), hex(0xAEB5BD), hex(0x7F868E), hex(0x59616A), hex(0x101215)};
-constexpr ThemeColors light{hex(0xE9ECEF), hex(0xC9CED4), hex(0xF4F5F7), hex(0xC3C9D0), hex(0xFFFFFF),
-                            hex(0x1C2126), hex(0x4A535D), hex(0x7D8690), hex(0x9AA2AB), hex(0x101215)};
+constexpr ThemeColors dark{hex(0x3A3F46), hex(0x25282D), hex(0x1F2225), hex(0x3D434A), hex(0x17191C), hex(0xE6E8EB),
+                           hex(0xAEB5BD), hex(0x7F868E), hex(0x59616A), hex(0x101215), hex(0x5B6877), hex(0x2A2E34)};
+constexpr ThemeColors light{hex(0xE9ECEF), hex(0xC9CED4), hex(0xF4F5F7), hex(0xC3C9D0), hex(0xFFFFFF), hex(0x1C2126),
+                            hex(0x4A535D), hex(0x7D8690), hex(0x9AA2AB), hex(0x101215), hex(0xB4C6D8), hex(0xE6EAED)};
 
 glm::vec3 between(std::span<const uint32_t> stops, double t)
 {

@@ -21,6 +21,7 @@ struct ThemeColors {
     glm::vec3 panel, border, field;  ///< of legend and labels
     glm::vec3 text, text2, bars;     ///< bars: of the histogram
     glm::vec3 grid, wire;
+    glm::vec3 skyTop, skyBottom;  ///< of the background when a terrain is there
 };
 const ThemeColors& themeColors(Theme theme);
 

@@ -56,6 +56,13 @@ const DrawObject* DrawContext::object(NodeId node) const
     return nullptr;
 }
 
+const DrawTerrain* DrawContext::terrain(NodeId node) const
+{
+    for (const DrawTerrain& t : frame.terrains)
+        if (t.node == node) return &t;
+    return nullptr;
+}
+
 ObjectBlock DrawContext::blockOf(const glm::dmat4& worldFromLocal) const
 {
     ObjectBlock b;
@@ -113,8 +120,9 @@ void uploadFrameBlocks(DrawContext& c)
     block.viewport = {c.size.x, c.size.y, 1.0 / c.size.x, 1.0 / c.size.y};
     block.eye = {c.frame.options.pixelRatio, pixel, perspective ? 1 : 0, c.camera.nearClip};
     const float alpha = c.frame.options.transparentBackground ? 0.f : 1.f;
-    block.skyTop = glm::vec4(theme.top, alpha);
-    block.skyBottom = glm::vec4(theme.bottom, alpha);
+    const bool outdoors = !c.frame.terrains.empty();
+    block.skyTop = glm::vec4(outdoors ? theme.skyTop : theme.top, alpha);
+    block.skyBottom = glm::vec4(outdoors ? theme.skyBottom : theme.bottom, alpha);
     uploadBlock(c.gpu.cameraBlock, cameraBlock, block);
     uploadBlock(c.gpu.lightsBlock, lightsBlock, studio());
 }

@@ -8,6 +8,7 @@
 #include "render/renderer.h"
 #include "render/shaders.h"
 #include "render/surface_geometry.h"
+#include "render/terrain_textures.h"
 
 namespace mw {
 
@@ -23,9 +24,10 @@ struct GpuState {
     GpuCache cache;
     SurfaceLayouts layouts;
     Posing posing;
+    TerrainTextures terrains;
     Programs programs;
     gl::VertexArray vertexArray;
-    gl::Buffer cameraBlock, lightsBlock, objectBlock, transient, transientIndices;
+    gl::Buffer cameraBlock, lightsBlock, objectBlock, terrainBlock, transient, transientIndices;
     gl::Texture heatTable, mask;
     gl::Framebuffer maskFramebuffer;
     glm::ivec2 maskSize{0};
@@ -43,6 +45,7 @@ struct DrawContext {
     Renderer::Counts counts;
 
     const DrawObject* object(NodeId node) const;
+    const DrawTerrain* terrain(NodeId node) const;
     /// The transforms of an object; the rest of the block as it is by default.
     ObjectBlock blockOf(const glm::dmat4& worldFromLocal) const;
     void setObject(const ObjectBlock& block);
@@ -63,6 +66,9 @@ void uploadFrameBlocks(DrawContext& c);
 // The passes, in the order in which they draw.
 void drawBackground(DrawContext& c);
 void drawSurfaces(DrawContext& c);
+void drawTerrains(DrawContext& c);
+void drawTerrainWires(DrawContext& c);
+void drawTerrainIds(DrawContext& c);  ///< into the id buffer
 void drawWires(DrawContext& c);
 void drawGrid(DrawContext& c);
 void drawLoose(DrawContext& c);  ///< lines and points that belong to no face, needles

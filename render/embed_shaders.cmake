@@ -1,5 +1,5 @@
 # Writes OUT, a C++ file that holds the text of every shader in FOLDER.
-file(GLOB files ${FOLDER}/*.vert ${FOLDER}/*.geom ${FOLDER}/*.frag ${FOLDER}/*.glsl)
+file(GLOB files ${FOLDER}/*.vert ${FOLDER}/*.tesc ${FOLDER}/*.tese ${FOLDER}/*.geom ${FOLDER}/*.frag ${FOLDER}/*.glsl)
 list(SORT files)
 set(text "// Made from resources/shaders by render/embed_shaders.cmake.\n#include \"render/shader_sources.h\"\n\nnamespace mw {\nnamespace {\n\nconstexpr ShaderSource sources[] = {\n")
 foreach(file ${files})

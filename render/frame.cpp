@@ -22,6 +22,12 @@ DrawObject drawn(const Scene& scene, NodeId id, const MeshObject& object)
     return o;
 }
 
+void addCorners(CameraFit& fit, const Bounds& b, const glm::dmat4& worldFromLocal)
+{
+    for (int i = 0; i < 8 && !b.empty; ++i)
+        fit.add(glm::dvec3(worldFromLocal * glm::dvec4(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z, 1)));
+}
+
 }  // namespace
 
 Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown, const ScenePose& pose)
@@ -34,6 +40,13 @@ Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown, cons
         if (!node.visible || hidden.count(node.parent)) {
             hidden.insert(id);
             continue;
+        }
+        if (const TerrainObject* ground = node.terrain ? scene.find(node.terrain) : nullptr) {
+            DrawTerrain t;
+            t.node = id;
+            t.worldFromLocal = worlds.at(id);
+            t.terrain = ground->terrain;
+            frame.terrains.push_back(std::move(t));
         }
         const MeshObject* object = node.mesh ? scene.find(node.mesh) : nullptr;
         if (!object) continue;
@@ -54,6 +67,13 @@ Bounds boundsOf(const Frame& frame)
         if (!b.empty) all.add(b);
     };
     for (const DrawObject& o : frame.objects) add(worldBounds(o));
+    for (const DrawTerrain& t : frame.terrains) {
+        const Bounds b = boundsOf(t.terrain);
+        for (int i = 0; i < 8 && !b.empty; ++i) {
+            const glm::dvec4 corner(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z, 1);
+            all.add(glm::dvec3(t.worldFromLocal * corner));
+        }
+    }
     for (const DrawBone& b : frame.bones) {
         all.add(glm::dvec3(b.head));
         all.add(glm::dvec3(b.tail));
@@ -72,6 +92,7 @@ void frameTightly(Frame& frame, double aspect)
         fit.add(glm::dvec3(b.head));
         fit.add(glm::dvec3(b.tail));
     }
+    for (const DrawTerrain& t : frame.terrains) addCorners(fit, boundsOf(t.terrain), t.worldFromLocal);
     for (const Label& l : frame.labels) fit.add(glm::dvec3(l.atWorld));
     fit.apply(frame.camera);
     frame.camera.fitClip(boundsOf(frame));

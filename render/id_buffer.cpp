@@ -53,6 +53,16 @@ IdBuffer::State IdBuffer::stateOf(const DrawContext& c)
         s.owners.emplace_back(o.mesh.faceStart().owner());
         s.poses.push_back(o.pose ? *o.pose : MeshPose());
     }
+    for (const DrawTerrain& d : c.frame.terrains) {
+        const Terrain& t = d.terrain;
+        add(d.worldFromLocal);
+        for (const double v :
+             {double(d.node.value), t.extent, t.maximumHeight, t.waterLevel, double(t.detail.patches), t.detail.nearLevel, t.detail.farLevel,
+              t.detail.nearDistance, t.detail.farDistance, double(t.detail.corrected), double(t.map.width()), double(t.map.height())})
+            s.numbers.push_back(v);
+        for (uint32_t y = 0; y < t.map.tilesY(); ++y)
+            for (uint32_t x = 0; x < t.map.tilesX(); ++x) s.maps.push_back(t.map.tile(x, y));
+    }
     return s;
 }
 
@@ -61,7 +71,9 @@ bool IdBuffer::current(const State& s) const
     // Addresses may be used again once their arrays are gone; an owner that has expired tells.
     for (size_t i = 0; i < drawn_.owners.size(); ++i)
         if (drawn_.owners[i].expired() && drawn_.arrays[3 * (i / 2)]) return false;
-    return s.numbers == drawn_.numbers && s.arrays == drawn_.arrays && s.poses == drawn_.poses;
+    return s.numbers == drawn_.numbers && s.arrays == drawn_.arrays && s.poses == drawn_.poses &&
+           std::equal(s.maps.begin(), s.maps.end(), drawn_.maps.begin(), drawn_.maps.end(),
+                      [](const auto& a, const auto& b) { return a.id() == b.id(); });
 }
 
 void IdBuffer::resize(glm::ivec2 size)
@@ -87,6 +99,7 @@ void IdBuffer::draw(DrawContext& c)
     glClearBufferuiv(GL_COLOR, 0, nothing);
     glClearBufferfv(GL_DEPTH, 0, &far);
     for (const DrawObject& o : c.frame.objects) drawObject(c, o);
+    drawTerrainIds(c);
 }
 
 SeenWindow IdBuffer::read(DrawContext& c, glm::ivec2 low, glm::ivec2 high)

@@ -11,6 +11,7 @@ namespace mw {
 struct SeenId {
     uint32_t node = 0;  ///< 0: nothing
     uint32_t element = 0;
+    bool isTerrain() const { return element == 0xffffffffu; }
     bool isPoint() const { return (element & 0x80000000u) != 0; }  ///< a loose vertex, else a face
     uint32_t index() const { return element & 0x7fffffffu; }
     bool operator==(const SeenId&) const = default;
@@ -40,6 +41,7 @@ private:
         std::vector<const void*> arrays;
         std::vector<std::weak_ptr<const void>> owners;
         std::vector<MeshPose> poses;
+        std::vector<Shared<float>> maps;  // tiles of terrains
     };
     static State stateOf(const DrawContext& c);
     bool current(const State& s) const;

@@ -60,7 +60,7 @@ void drawBackground(DrawContext& c)
 void drawGrid(DrawContext& c)
 {
     const ViewOptions& options = c.frame.options;
-    if (!options.grid && !options.axes) return;
+    if ((!options.grid && !options.axes) || !c.frame.terrains.empty()) return;  // a terrain is the ground
     // Spacing follows the distance in powers of ten; the finer lines fade in as one comes closer.
     const double scale = std::log10(c.camera.distance * 0.45), level = std::floor(scale), fine = std::pow(10, level - 1);
     const double closeness = 1 - (scale - level);

@@ -112,6 +112,7 @@ void drawWires(DrawContext& c)
 {
     glEnable(GL_DEPTH_TEST);
     c.blend();
+    drawTerrainWires(c);
     if (c.frame.options.shading == Shading::Wire) return drawWireShading(c);
     if (!c.frame.options.wireOverlay) return;
     const ThemeColors& theme = themeColors(c.frame.options.theme);

@@ -15,10 +15,14 @@ struct Box {
 Box outlinedBox(const DrawContext& c, double pixels)
 {
     glm::dvec2 low(1e9), high(-1e9);
-    for (const DrawObject& o : c.frame.objects) {
-        const Bounds b = worldBounds(o);
-        if (!(o.selected || o.hovered) || b.empty) continue;
-        const glm::dmat4 clip = c.clipFromView * c.viewFromWorld;
+    std::vector<std::pair<Bounds, glm::dmat4>> outlined;
+    for (const DrawObject& o : c.frame.objects)
+        if (o.selected || o.hovered) outlined.emplace_back(worldBounds(o), glm::dmat4(1));
+    for (const DrawTerrain& t : c.frame.terrains)
+        if (t.selected || t.hovered) outlined.emplace_back(boundsOf(t.terrain), t.worldFromLocal);
+    for (const auto& [b, worldFromLocal] : outlined) {
+        if (b.empty) continue;
+        const glm::dmat4 clip = c.clipFromView * c.viewFromWorld * worldFromLocal;
         for (int i = 0; i < 8; ++i) {
             const glm::dvec4 p = clip * glm::dvec4(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z, 1);
             if (p.w <= c.camera.nearClip * 0.5 && c.camera.perspective) return {{0, 0}, c.size};
@@ -59,8 +63,10 @@ void copyMask(DrawContext& c, unsigned target, const Box& box)
 void drawOutlines(DrawContext& c, unsigned target)
 {
     if (c.frame.options.transparentBackground) return;  // there alpha says what is covered
-    const auto outlined = [](const DrawObject& o) { return o.selected || o.hovered; };
-    if (std::none_of(c.frame.objects.begin(), c.frame.objects.end(), outlined)) return;
+    const auto outlined = [](const auto& o) { return o.selected || o.hovered; };
+    if (std::none_of(c.frame.objects.begin(), c.frame.objects.end(), outlined) &&
+        std::none_of(c.frame.terrains.begin(), c.frame.terrains.end(), outlined))
+        return;
     const Box box = outlinedBox(c, 4);
     if (box.low.x >= box.high.x || box.low.y >= box.high.y) return;
     copyMask(c, target, outlinedBox(c, 9));  // more than is looked at
@@ -71,7 +77,9 @@ void drawOutlines(DrawContext& c, unsigned target)
     c.use(ProgramId::Outline);
     c.clearAttributes();
     c.texture(maskUnit, GL_TEXTURE_2D, c.gpu.mask.get());
-    const bool selected = std::any_of(c.frame.objects.begin(), c.frame.objects.end(), [](const DrawObject& o) { return o.selected; });
+    const auto isSelected = [](const auto& o) { return o.selected; };
+    const bool selected = std::any_of(c.frame.objects.begin(), c.frame.objects.end(), isSelected) ||
+                          std::any_of(c.frame.terrains.begin(), c.frame.terrains.end(), isSelected);
     ObjectBlock block;
     block.ids.x = selected;
     c.setObject(block);

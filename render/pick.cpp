@@ -162,6 +162,23 @@ void searchSeen(DrawContext& c, Search& search, const SeenWindow& window, NodeId
     }
 }
 
+/// Where the ray meets the ground itself; what was drawn may lie a little beside it.
+Pick terrainPick(const DrawContext& c, const DrawTerrain& d, glm::dvec2 pixel)
+{
+    const Ray ray = c.camera.ray(pixel, glm::dvec2(c.size));
+    const glm::dmat4 localFromWorld = glm::inverse(d.worldFromLocal);
+    const glm::dvec3 origin(localFromWorld * glm::dvec4(ray.origin, 1)), direction(localFromWorld * glm::dvec4(ray.direction, 0));
+    Pick pick;
+    pick.node = d.node;
+    if (const auto met = d.terrain.meet(origin, direction)) {
+        pick.atWorld = glm::dvec3(d.worldFromLocal * glm::dvec4(*met, 1));
+    } else {  // the ray just misses a ridge
+        const glm::dvec3 middle(d.worldFromLocal * glm::dvec4(0, 0.5 * d.terrain.maximumHeight, 0, 1));
+        pick.atWorld = ray.origin + glm::dot(middle - ray.origin, ray.direction) * ray.direction;
+    }
+    return pick;
+}
+
 }  // namespace
 
 std::optional<Pick> pickAt(DrawContext& c, IdBuffer& ids, glm::dvec2 pixel)
@@ -171,6 +188,8 @@ std::optional<Pick> pickAt(DrawContext& c, IdBuffer& ids, glm::dvec2 pixel)
     const int reach = int(std::ceil(vertexReach * c.frame.options.pixelRatio)) + 2;
     const SeenWindow window = ids.read(c, at - reach, at + reach + 1);
     const SeenId here = window.at(at.x, at.y);
+    if (here.isTerrain())
+        if (const DrawTerrain* ground = c.terrain(NodeId{here.node})) return terrainPick(c, *ground, pixel);
     const DrawObject* object = here.node ? c.object(NodeId{here.node}) : nullptr;
     const NodeId only = object ? object->node : NodeId{};  // none: any
 
@@ -201,7 +220,10 @@ std::vector<std::pair<NodeId, std::vector<uint32_t>>> facesIn(const SeenWindow& 
 {
     std::map<uint32_t, std::vector<uint32_t>> byNode;
     for (const SeenId& id : window.ids)
-        if (id.node && !id.isPoint()) byNode[id.node].push_back(id.index());
+        if (id.node && id.isTerrain())
+            byNode[id.node];  // seen, but of no faces
+        else if (id.node && !id.isPoint())
+            byNode[id.node].push_back(id.index());
     std::vector<std::pair<NodeId, std::vector<uint32_t>>> out;
     for (auto& [node, faces] : byNode) {
         std::sort(faces.begin(), faces.end());

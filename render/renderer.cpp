@@ -73,6 +73,7 @@ void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
     if (size.x < 1 || size.y < 1) return;
     GpuState& gpu = impl_->gpu;
     gpu.cache.beginFrame();
+    gpu.terrains.beginFrame();
     gpu.layouts.forgetDead();
     gpu.posing.beginFrame();
     DrawContext c(gpu, frame, size);
@@ -81,6 +82,7 @@ void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
     clear(frame);
     drawBackground(c);
     drawSurfaces(c);
+    drawTerrains(c);
     drawGrid(c);
     drawWires(c);
     drawLoose(c);
@@ -92,7 +94,7 @@ void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
     drawMarker(c, impl_->canvas);
     impl_->canvas.flush(c);
     impl_->counts = c.counts;
-    impl_->counts.uploadedBytes = gpu.cache.uploadedBytes();
+    impl_->counts.uploadedBytes = gpu.cache.uploadedBytes() + gpu.terrains.uploadedBytes();
     glBindVertexArray(0);
     glUseProgram(0);
 }

@@ -54,7 +54,13 @@ struct DrawTerrain {
     glm::dmat4 worldFromLocal{1};
     Terrain terrain;
     bool textured = true;  ///< layers by height; else clay
-    bool patchBorders = false;
+    enum class Overlay { None, PatchBorders, Level, Slope } overlay = Overlay::None;
+    /// What a stroke would reach, draped on the ground.
+    struct BrushMark {
+        glm::dvec2 at{0};                         ///< x, z, local
+        double radius = 1, halfStrengthAt = 0.5;  ///< metres; the inner ring
+    };
+    std::optional<BrushMark> brush = {};
     bool selected = false, hovered = false;
 };
 
@@ -131,7 +137,7 @@ public:
     /// What is at a pixel (device pixels, origin top left) or, of vertices and edges, near it; tolerances as in ui/UI.md 3. Cheap while
     /// camera and objects stay as they are. Leaves another framebuffer bound.
     std::optional<Pick> pick(const Frame& frame, glm::ivec2 size, glm::dvec2 pixel);
-    /// All faces visible in a rectangle, by node.
+    /// All faces visible in a rectangle, by node; a terrain without faces.
     std::vector<std::pair<NodeId, std::vector<uint32_t>>> visibleFaces(const Frame& frame, glm::ivec2 size, glm::ivec2 low, glm::ivec2 high);
     /// Triangles and vertices sent by the last draw(), and bytes uploaded by it.
     struct Counts {

@@ -16,12 +16,16 @@ constexpr const char* lit[] = {"camera.glsl", "object.glsl", "lights.glsl", "hea
 constexpr const char* disc[] = {"camera.glsl", "object.glsl", "lights.glsl"};
 constexpr const char* canvas[] = {"camera.glsl", "heat.glsl"};
 
+constexpr const char* ground[] = {"camera.glsl", "object.glsl", "lights.glsl", "heat.glsl", "terrain.glsl"};
+constexpr const char* groundPlaces[] = {"camera.glsl", "object.glsl", "terrain.glsl"};
+
 constexpr const char* surfaceVariants[] = {"FLAT", "COLOR", "MATERIAL", "HEAT", "HEAT_CATEGORY", "HEAT_FACE", "DIMMED", "DENSE"};
 constexpr const char* wireVariants[] = {"EDGE_FLAGS"};
 constexpr const char* lineVariants[] = {"HALO"};
 constexpr const char* discVariants[] = {"COLOR"};
 constexpr const char* poseVariants[] = {"SPLIT", "MORPHED", "SKINNED"};
 constexpr const char* posedOutputs[] = {"posedPosition", "posedNormal"};
+constexpr const char* terrainVariants[] = {"FLAT", "DENSE", "WATER", "PLAIN", "BORDERS", "BRUSH"};
 
 constexpr ProgramRow table[] = {
     {ProgramId::Background, "background", "background.vert", nullptr, "background.frag", camera, {}},
@@ -37,6 +41,9 @@ constexpr ProgramRow table[] = {
     {ProgramId::IdPoints, "id points", "id_points.vert", nullptr, "id_points.frag", object, {}},
     {ProgramId::Pose, "pose", "pose.vert", nullptr, nullptr, object, poseVariants, std::span(posedOutputs, 1)},
     {ProgramId::PoseNormals, "pose with normals", "pose.vert", nullptr, nullptr, object, poseVariants, posedOutputs},
+    {ProgramId::Terrain, "terrain", "terrain.vert", nullptr, "terrain.frag", ground, terrainVariants, {}, "terrain.tesc", "terrain.tese"},
+    {ProgramId::TerrainWire, "terrain wire", "terrain.vert", "wire.geom", "wire.frag", groundPlaces, {}, {}, "terrain.tesc", "terrain.tese", true},
+    {ProgramId::TerrainIds, "terrain ids", "terrain.vert", nullptr, "terrain_ids.frag", groundPlaces, {}, {}, "terrain.tesc", "terrain.tese", true},
 };
 
 const ProgramRow& rowOf(ProgramId id)
@@ -103,7 +110,8 @@ GLuint compile(GLenum stage, const ProgramRow& row, const char* file, const std:
 
 void bindPoints(GLuint program)
 {
-    constexpr std::pair<const char*, GLuint> blocks[] = {{"Camera", cameraBlock}, {"Lights", lightsBlock}, {"Object", objectBlock}};
+    constexpr std::pair<const char*, GLuint> blocks[] = {
+        {"Camera", cameraBlock}, {"Lights", lightsBlock}, {"Object", objectBlock}, {"Terrain", terrainBlock}};
     for (const auto& [name, point] : blocks) {
         const GLuint index = glGetUniformBlockIndex(program, name);
         if (index != GL_INVALID_INDEX) glUniformBlockBinding(program, index, point);
@@ -112,6 +120,7 @@ void bindPoints(GLuint program)
         {"heatTable", heatUnit},       {"faceValues", faceValueUnit},     {"triangleFaces", triangleFaceUnit}, {"baseColorMap", baseColorUnit},
         {"maskMap", maskUnit},         {"atlasMap", atlasUnit},           {"edgeFlags", edgeFlagUnit},         {"poseData", poseDataUnit},
         {"jointSlots", jointSlotUnit}, {"jointWeights", jointWeightUnit}, {"morphDeltas", morphUnit},          {"morphNormals", morphNormalUnit},
+        {"heightMap", heightUnit},     {"layerMap", layerUnit},
     };
     glUseProgram(program);
     for (const auto& [name, unit] : samplers) {
@@ -122,11 +131,14 @@ void bindPoints(GLuint program)
 
 GLuint link(const ProgramRow& row, unsigned variant)
 {
-    std::string defines;
+    std::string defines = row.positionOnly ? "#define POSITION_ONLY\n" : "";
     for (size_t i = 0; i < row.variants.size(); ++i)
         if (variant >> i & 1) defines += "#define " + std::string(row.variants[i]) + "\n";
-    const std::pair<GLenum, const char*> stages[] = {
-        {GL_VERTEX_SHADER, row.vertex}, {GL_GEOMETRY_SHADER, row.geometry}, {GL_FRAGMENT_SHADER, row.fragment}};
+    const std::pair<GLenum, const char*> stages[] = {{GL_VERTEX_SHADER, row.vertex},
+                                                     {GL_TESS_CONTROL_SHADER, row.control},
+                                                     {GL_TESS_EVALUATION_SHADER, row.evaluation},
+                                                     {GL_GEOMETRY_SHADER, row.geometry},
+                                                     {GL_FRAGMENT_SHADER, row.fragment}};
     std::vector<GLuint> shaders;
     for (const auto& [stage, file] : stages)
         if (file) shaders.push_back(compile(stage, row, file, defines));

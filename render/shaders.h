@@ -9,7 +9,24 @@
 
 namespace mw {
 
-enum class ProgramId { Background, Surface, Wire, Line, Disc, FaceMark, Needle, Canvas, Outline, Ids, IdPoints, Pose, PoseNormals };
+enum class ProgramId {
+    Background,
+    Surface,
+    Wire,
+    Line,
+    Disc,
+    FaceMark,
+    Needle,
+    Canvas,
+    Outline,
+    Ids,
+    IdPoints,
+    Pose,
+    PoseNormals,
+    Terrain,
+    TerrainWire,
+    TerrainIds
+};
 
 /// Variants of a program are defines before its text.
 struct ProgramRow {
@@ -18,9 +35,12 @@ struct ProgramRow {
     const char* vertex;
     const char* geometry;  ///< null: none
     const char* fragment;
-    std::span<const char* const> chunks;    ///< put before every stage
-    std::span<const char* const> variants;  ///< defines it knows; see variant bits
+    std::span<const char* const> chunks;         ///< put before every stage
+    std::span<const char* const> variants;       ///< defines it knows; see variant bits
     std::span<const char* const> captured = {};  ///< outputs kept in buffers by transform feedback, one each
+    const char* control = nullptr;               ///< tessellation
+    const char* evaluation = nullptr;
+    bool positionOnly = false;  ///< nothing but places goes from the evaluation on
 };
 std::span<const ProgramRow> programTable();
 
@@ -32,11 +52,27 @@ namespace variant {
 inline constexpr unsigned flat = 1, color = 2, material = 4, heat = 8, heatCategory = 16, heatFace = 32, dimmed = 64, dense = 128;
 inline constexpr unsigned edgeFlags = 1, halo = 1, pointColor = 1;
 inline constexpr unsigned poseSplit = 1, poseMorphed = 2, poseSkinned = 4;
+inline constexpr unsigned denseGround = 2, water = 4, plain = 8, borders = 16, brush = 32;  // of Terrain, with flat
 }  // namespace variant
 
 // Where things are bound, in every program.
-inline constexpr GLuint cameraBlock = 0, lightsBlock = 1, objectBlock = 2;
-enum TextureUnit : GLint { heatUnit, faceValueUnit, triangleFaceUnit, baseColorUnit, maskUnit, atlasUnit, edgeFlagUnit, poseDataUnit, jointSlotUnit, jointWeightUnit, morphUnit, morphNormalUnit };
+inline constexpr GLuint cameraBlock = 0, lightsBlock = 1, objectBlock = 2, terrainBlock = 3;
+enum TextureUnit : GLint {
+    heatUnit,
+    faceValueUnit,
+    triangleFaceUnit,
+    baseColorUnit,
+    maskUnit,
+    atlasUnit,
+    edgeFlagUnit,
+    poseDataUnit,
+    jointSlotUnit,
+    jointWeightUnit,
+    morphUnit,
+    morphNormalUnit,
+    heightUnit,
+    layerUnit
+};
 
 class Programs {
 public:

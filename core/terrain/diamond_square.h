@@ -1,6 +1,8 @@
 // Diamond-square (5.3, listing 5.5): midpoint displacement on a square grid.
 #pragma once
-#include "core/catalog/parameters.h"
+#include <cstdint>
+#include <string>
+
 #include "core/steps/stage.h"
 #include "core/terrain/height_map.h"
 

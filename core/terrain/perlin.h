@@ -1,6 +1,8 @@
 // Perlin noise in octaves (5.3, equations 5.12 to 5.16).
 #pragma once
-#include "core/catalog/parameters.h"
+#include <cstdint>
+#include <string>
+
 #include "core/steps/stage.h"
 #include "core/terrain/height_map.h"
 

@@ -43,7 +43,8 @@ std::string output(const std::string& command)
 void expectAsConvert(const std::filesystem::path& file)
 {
     const HeightMap map = readHeightMap(file);
-    const std::string raw = output("convert '" + file.string() + "' -auto-orient -alpha off -set colorspace sRGB -type TrueColor -depth 16 -endian MSB rgb:-");
+    const std::string raw =
+        output("convert '" + file.string() + "' -auto-orient -alpha off -set colorspace sRGB -type TrueColor -depth 16 -endian MSB rgb:-");
     ASSERT_EQ(raw.size(), size_t(map.width()) * map.height() * 6) << file;
     const auto* p = reinterpret_cast<const uint8_t*>(raw.data());
     for (uint32_t y = 0; y < map.height(); ++y)

@@ -245,12 +245,14 @@ Mesh withinSlots(const Mesh& mesh, size_t slots, size_t& left)
     Array<int32_t> joints(j->integers().begin(), j->integers().end());
     Array<float> weights(w->floats().begin(), w->floats().end());
     const size_t n = size_t(j->components);
+    bool changed = false;
     for (size_t v = 0; v < mesh.vertexCount(); ++v) {
         double sum = 0;
         bool lost = false;
         for (size_t k = n * v; k < n * (v + 1); ++k) {
             if (joints[k] < 0 || size_t(joints[k]) >= slots) {
                 lost = lost || weights[k] > 0;
+                changed = true;
                 joints[k] = 0;
                 weights[k] = 0;
             }
@@ -259,7 +261,7 @@ Mesh withinSlots(const Mesh& mesh, size_t slots, size_t& left)
         left += lost;
         for (size_t k = n * v; lost && sum > 0 && k < n * (v + 1); ++k) weights[k] = float(double(weights[k]) / sum);
     }
-    if (!left) return mesh;
+    if (!changed) return mesh;
     Attribute newJoints = integerAttribute(j->name, Domain::Vertex, j->components, std::move(joints));
     newJoints.stored = j->stored;
     return mesh.with(std::move(newJoints)).with(floatAttribute(w->name, Domain::Vertex, w->components, std::move(weights)));

@@ -3,6 +3,8 @@
 #include <fstream>
 #include <random>
 
+#include "core/scene/scene_pose.h"
+
 #include "data.h"
 #include "samples.h"
 
@@ -11,6 +13,31 @@ namespace {
 
 using nlohmann::json;
 using test::triangleGlb;
+
+// Whatever moves must be safe to play: joints that are there, weights of slots that are there, times that ascend, a value for each.
+void checkMotion(const Scene& s)
+{
+    for (const NodeId n : s.nodes()) {
+        const Skin* skin = s.find(s.node(n).skin);
+        if (!skin) continue;
+        EXPECT_EQ(skin->joints.size(), skin->inverseBind.size());
+        const MeshObject* o = s.find(s.node(n).mesh);
+        const Attribute* joints = o ? o->base.find("joints") : nullptr;
+        for (const int32_t j : joints ? joints->integers() : std::span<const int32_t>())
+            if (j < 0 || size_t(j) >= skin->joints.size()) ADD_FAILURE() << "slot " << j << " of " << skin->joints.size();
+    }
+    for (const ClipId id : s.clips()) {
+        const Clip& clip = *s.find(id);
+        for (const auto& c : clip.channels) {
+            if (!s.find(c->node)) ADD_FAILURE() << "channel without its node";
+            const size_t perKey = c->interpolation == Channel::Interpolation::Cubic ? 3 : 1;
+            if (c->values.size() != c->keys() * perKey * size_t(c->components)) ADD_FAILURE() << "wrong number of values";
+            for (size_t k = 0; k < c->keys(); ++k)
+                if (!(c->times[k] >= 0) || !std::isfinite(c->times[k]) || (k && c->times[k] < c->times[k - 1])) ADD_FAILURE() << "times";
+        }
+        poseAt(s, clip, duration(clip) / 2);
+    }
+}
 
 // What came of it: the text of the Error, or empty when it was read. Whatever was read must be a valid mesh.
 std::string outcome(std::span<const uint8_t> content)
@@ -27,6 +54,7 @@ std::string outcome(std::span<const uint8_t> content)
             for (const Attribute& a : m.attributes())
                 if (a.size() != m.count(a.domain)) ADD_FAILURE() << a.name << " has a wrong size";
         }
+        if (!in.project) checkMotion(in.scene);
         for (const NodeId n : in.scene.nodes())
             if (in.scene.node(n).mesh && !in.scene.find(in.scene.node(n).mesh)) ADD_FAILURE() << "node without its mesh";
         return {};
@@ -113,6 +141,37 @@ TEST(GltfMalformed, IndicesBeyondTheVertices)
     EXPECT_NE(said.find("/meshes/0/primitives/0/indices: entry 2 is vertex 3 of 3"), std::string::npos) << said;
 }
 
+// The same one array of matrices, times or values for very many skins and channels: it is decoded once, or refused.
+TEST(GltfMalformed, MotionThatIsUsedAgainAndAgain)
+{
+    const auto glb = [](size_t count, const char* list, const char* entry) {
+        return triangleGlb([&](json& j, std::vector<uint8_t>& bin) {
+            bin.resize(48 + 64 * 4000, 0);
+            const size_t size = bin.size() - 48;
+            for (size_t i = 0; i < size / 4; ++i) {
+                const auto x = float(i);
+                std::memcpy(bin.data() + 48 + 4 * i, &x, 4);
+            }
+            j["buffers"][0]["byteLength"] = bin.size();
+            j["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 48}, {"byteLength", size}});
+            j["accessors"].push_back({{"bufferView", 2}, {"componentType", 5126}, {"count", 4000}, {"type", "MAT4"}});
+            j["accessors"].push_back({{"bufferView", 2}, {"componentType", 5126}, {"count", 21333}, {"type", "SCALAR"}});
+            j["accessors"].push_back({{"bufferView", 2}, {"componentType", 5126}, {"count", 21333}, {"type", "VEC3"}});
+            const json one = json::parse(entry);
+            for (size_t i = 0; i < count; ++i) j[list].push_back(one);
+        });
+    };
+    const std::string skin = R"({"inverseBindMatrices": 2, "joints": [0)" + [] {
+        std::string more;
+        for (int i = 1; i < 100; ++i) more += ",0";
+        return more + "]}";
+    }();
+    outcome(glb(20000, "skins", skin.c_str()));
+    EXPECT_EQ(outcome(glb(2000, "animations",
+                          R"({"samplers": [{"input": 3, "output": 4}], "channels": [{"sampler": 0, "target": {"node": 0, "path": "scale"}}]})")),
+              "");
+}
+
 TEST(GltfMalformed, DeepAndBulkyJson)
 {
     const auto text = [](std::string s) { return std::vector<uint8_t>(s.begin(), s.end()); };
@@ -144,8 +203,8 @@ TEST(GltfMalformed, AmplificationIsBounded)
 
 TEST(GltfMalformed, EveryTruncationIsRefused)
 {
-    for (const bool project : {false, true}) {
-        const std::vector<uint8_t> whole = glbOf(test::richScene(), {project});
+    for (const int kind : {0, 1, 2, 3}) {
+        const std::vector<uint8_t> whole = glbOf(kind < 2 ? test::richScene() : test::movingScene(), {kind % 2 == 1});
         const size_t step = std::max<size_t>(whole.size() / 400, 1);
         for (size_t n = 0; n < whole.size(); n += n < 64 ? 1 : step) EXPECT_NE(outcome({whole.data(), n}), "") << n << " bytes";
         EXPECT_EQ(outcome(whole), "");
@@ -156,7 +215,8 @@ TEST(GltfMalformed, EveryTruncationIsRefused)
 TEST(GltfMalformed, RandomMutationsNeverCrash)
 {
     std::mt19937 random(20240607);
-    std::vector<std::vector<uint8_t>> seeds{glbOf(test::richScene(), {false}), glbOf(test::richScene(), {true}), triangleGlb([](json&, auto&) {})};
+    std::vector<std::vector<uint8_t>> seeds{glbOf(test::richScene(), {false}), glbOf(test::richScene(), {true}), triangleGlb([](json&, auto&) {}),
+                                            glbOf(test::movingScene(), {false}), glbOf(test::movingScene(), {true})};
     for (const auto& seed : seeds)
         for (int round = 0; round < 1500; ++round) {
             std::vector<uint8_t> content = seed;
@@ -186,8 +246,8 @@ TEST(GltfMalformed, RandomJsonNeverCrashes)
 {
     std::mt19937 random(7);
     const std::vector<const char*> values{"0", "1", "-1", "4294967295", "1e308", "[]", "{}", "\"\"", "null", "true", "[0]", "{\"a\":1}", "5126", "3"};
-    for (const bool project : {false, true}) {
-        const auto glb = glbOf(test::richScene(), {project});
+    for (const int kind : {0, 1, 2, 3}) {
+        const auto glb = glbOf(kind < 2 ? test::richScene() : test::movingScene(), {kind % 2 == 1});
         const size_t size = glb[12] | glb[13] << 8 | glb[14] << 16;
         const json whole = json::parse(glb.begin() + 20, glb.begin() + 20 + std::ptrdiff_t(size));
         const std::span<const uint8_t> bin(glb.data() + 28 + size, glb.size() - 28 - size);

@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 set(id org.meshwright.Meshwright)
 set(here ${CMAKE_CURRENT_LIST_DIR})
-install(TARGETS meshwright RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS meshwright meshwright-import RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES ${here}/${id}.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${here}/${id}.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES ${here}/${id}.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)

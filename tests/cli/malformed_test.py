@@ -5,7 +5,7 @@ import random
 
 from harness import DATA, SANITIZED, Case, Ran, main, needs_data, rows
 
-ENDINGS = (".obj", ".ply", ".gltf", ".glb")
+ENDINGS = (".obj", ".ply", ".gltf", ".glb", ".x", ".fbx", ".md5mesh", ".md5anim")
 
 
 @needs_data

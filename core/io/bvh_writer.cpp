@@ -102,6 +102,7 @@ private:
     std::vector<uint32_t> measuredRows_;
     std::vector<Measure> measures_;  ///< frames times measured rows
     bool scaled_ = false;
+    bool endSites_ = false;  ///< joints without children get one: what is no BVH file has none, and programs want them
     std::vector<Warning> warnings_;
 };
 
@@ -303,6 +304,10 @@ void Writer::hierarchy(OutputFile& file)
             file.write(line + "\n");
         }
         const size_t next = i + 1 < rows_.size() ? rows_[i + 1].depth : 0;
+        if (endSites_ && !r.end && next <= r.depth) {
+            const std::string inner = tabs(r.depth + 1);
+            file.write(inner + "End Site\n" + inner + "{\n" + tabs(r.depth + 2) + "OFFSET 0 0 0\n" + inner + "}\n");
+        }
         for (size_t d = r.depth + 1; d-- > next;) file.write(std::string(tabs(d)) + "}\n");
     }
 }
@@ -348,6 +353,7 @@ std::vector<Warning> Writer::run()
     chooseClip();
     for (const NodeId root : roots_) addSkeleton(root);
     const bool plain = isPlain();
+    endSites_ = !plain;
     choosePaths(plain);
     nameRows(plain);
     chooseFrames();

@@ -1,4 +1,4 @@
-// Any bytes, read as OBJ, PLY, GLB and glTF: the readers give a scene or throw Error, and nothing else ever happens.
+// Any bytes, read as OBJ, PLY, GLB, glTF, BVH and height maps: the readers give a scene or throw Error, and nothing else ever happens.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -7,8 +7,9 @@
 #include <unistd.h>
 
 #include "core/error.h"
-#include "core/io/io.h"
+#include "core/io/gltf.h"
 #include "core/mesh/topology.h"
+#include "core/scene/scene_pose.h"
 
 namespace {
 
@@ -17,7 +18,8 @@ const std::string& fileOf(size_t format)
 {
     static const std::string base =
         (std::filesystem::is_directory("/dev/shm") ? "/dev/shm" : "/tmp") + std::string("/meshwright-fuzz-") + std::to_string(getpid());
-    static const std::string files[] = {base + ".obj", base + ".ply", base + ".glb", base + ".gltf"};
+    static const std::string files[] = {base + ".obj", base + ".ply", base + ".glb", base + ".gltf",
+                                        base + ".bvh", base + ".png", base + ".tga", base + ".pgm"};
     static const bool cleaning = [] {
         return std::atexit([] {
                    for (const std::string& f : files) std::remove(f.c_str());
@@ -40,13 +42,29 @@ void writeBack(const mw::Imported& in)
         std::abort();
 }
 
+/// What moves is played and written as glTF.
+void play(const mw::Scene& scene)
+{
+    for (const mw::ClipId id : scene.clips()) {
+        const mw::Clip& clip = *scene.find(id);
+        const mw::ScenePose pose = poseAt(scene, clip, duration(clip) / 2);
+        const auto worlds = worldMatrices(scene, pose);
+        for (const mw::NodeId n : scene.nodes()) {
+            const mw::MeshObject* object = scene.find(scene.node(n).mesh);
+            if (!object) continue;
+            if (const auto meshPose = mw::meshPose(scene, n, object->base, pose, worlds)) mw::posed(object->base, *meshPose);
+        }
+    }
+    if (!scene.clips().empty() || !scene.skins().empty()) mw::glbOf(scene);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
     if (size == 0) return -1;
-    // The first byte chooses the format ('0' OBJ, '1' PLY, '2' GLB, '3' glTF), so that one corpus serves all.
-    const std::string& name = fileOf(bytes[0] % 4);
+    // The first byte chooses the format ('0' OBJ, '1' PLY, '2' GLB, '3' glTF, '4' BVH, '5' PNG, '6' TGA, '7' PGM), so that one corpus serves all.
+    const std::string& name = fileOf(bytes[0] & 7);
     if (FILE* f = std::fopen(name.c_str(), "wb")) {
         std::fwrite(bytes + 1, 1, size - 1, f);
         std::fclose(f);
@@ -60,6 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
             mesh.vertexNormals();
         }
         writeBack(in);
+        play(in.scene);
     } catch (const mw::Error&) {
     }
     return 0;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/io/io.h"
+#include "core/scene/samples.h"
 
 namespace mw {
 namespace {
@@ -63,6 +64,11 @@ Scene icosphere()
     return sceneWith(sphere(3), "Icosphere", {});
 }
 
+Scene mannequin()
+{
+    return sampleScene("mannequin");
+}
+
 }  // namespace
 
 const std::vector<Sample>& samples()
@@ -70,6 +76,7 @@ const std::vector<Sample>& samples()
     static const std::vector<Sample> all{
         {"blossom", "Blossom", "A coarse star, rounded by Loop subdivision", blossom},
         {"pebble", "Pebble", "81,920 faces with fine folds, simplified to a tenth", pebble},
+        {"mannequin", "Mannequin", "A figure with a skeleton that walks: skin, weights and two motions", mannequin},
         {"icosphere", "Icosphere", "A plain sphere of 1,280 triangles to try operations on", icosphere},
     };
     return all;

@@ -11,6 +11,7 @@
 #include "core/io/height_picture.h"
 #include "core/io/obj.h"
 #include "core/io/ply.h"
+#include "core/scene/samples.h"
 
 namespace mw {
 
@@ -94,6 +95,9 @@ const std::vector<FileFormat>& fileFormats()
 
 Imported readFile(const fs::path& file, Progress* progress)
 {
+    constexpr std::string_view sample = "sample:";
+    if (const std::string name = file.string(); name.starts_with(sample))
+        return {sampleScene(std::string_view(name).substr(sample.size())), {}, "made by the program", "metres"};
     try {
         switch (typeOf(file, readStart(file, size_t(1) << 16))) {
             case Type::Obj:

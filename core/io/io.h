@@ -28,7 +28,7 @@ struct FileFormat {
 };
 const std::vector<FileFormat>& fileFormats();
 
-/// By content, then by ending. Throws Error, Cancelled.
+/// By content, then by ending; "sample:NAME" is a scene made by the program. Throws Error, Cancelled.
 Imported readFile(const std::filesystem::path& file, Progress* progress = nullptr);
 
 struct WriteOptions {

@@ -64,8 +64,7 @@ class RealFiles(RoundTrip):
                 self.same(DATA / file, self.folder / "x.glb")
 
     def test_gltf_hierarchies(self):
-        for file in ("characters/robot.glb", "characters/cesium_man.gltf", "characters/pab_arnaud.fbx", "characters/pab_walk.fbx",
-                     "characters/Testwuson.X", "characters/bob/Bob.md5mesh"):
+        for file in ("characters/robot.glb", "characters/cesium_man.gltf"):
             with self.subTest(file):
                 self.ok("convert", DATA / file, self.folder / "x.glb")
                 before, after = (self.json("info", f, "--json") for f in (DATA / file, self.folder / "x.glb"))

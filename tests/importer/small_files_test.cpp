@@ -249,6 +249,118 @@ TEST_F(SmallFiles, NamesWeightsAndKeysOfAnXFile)
     }
 }
 
+// A square of one quad; its third corner goes up by 3 in the first second.
+constexpr const char* morphFbx = R"(; FBX 7.4.0 project file
+FBXHeaderExtension:  {
+ FBXHeaderVersion: 1003
+ FBXVersion: 7400
+}
+GlobalSettings:  {
+ Version: 1000
+ Properties70:  {
+  P: "UnitScaleFactor", "double", "Number", "",100
+ }
+}
+Objects:  {
+ Geometry: 10, "Geometry::sheet", "Mesh" {
+  Vertices: *12 {
+   a: 0,0,0,1,0,0,1,1,0,0,1,0
+  }
+  PolygonVertexIndex: *4 {
+   a: 0,1,2,-4
+  }
+  GeometryVersion: 124
+ }
+ Geometry: 11, "Geometry::up", "Shape" {
+  Version: 100
+  Indexes: *1 {
+   a: 2
+  }
+  Vertices: *3 {
+   a: 0,0,3
+  }
+  Normals: *3 {
+   a: 0,0,0
+  }
+ }
+ Model: 12, "Model::sheet", "Mesh" {
+  Version: 232
+ }
+ Deformer: 13, "Deformer::blend", "BlendShape" {
+  Version: 100
+ }
+ Deformer: 14, "SubDeformer::up", "BlendShapeChannel" {
+  Version: 100
+  DeformPercent: 0
+  FullWeights: *1 {
+   a: 100
+  }
+ }
+ AnimationStack: 20, "AnimStack::move", "" {
+ }
+ AnimationLayer: 21, "AnimLayer::base", "" {
+ }
+ AnimationCurveNode: 22, "AnimCurveNode::DeformPercent", "" {
+  Properties70:  {
+   P: "d|DeformPercent", "Number", "", "A",0
+  }
+ }
+ AnimationCurve: 23, "AnimCurve::", "" {
+  Default: 0
+  KeyVer: 4008
+  KeyTime: *2 {
+   a: 0,46186158000
+  }
+  KeyValueFloat: *2 {
+   a: 0,100
+  }
+  KeyAttrFlags: *1 {
+   a: 24836
+  }
+  KeyAttrDataFloat: *4 {
+   a: 0,0,0,0
+  }
+  KeyAttrRefCount: *1 {
+   a: 2
+  }
+ }
+}
+Connections:  {
+ C: "OO",12,0
+ C: "OO",10,12
+ C: "OO",13,10
+ C: "OO",14,13
+ C: "OO",11,14
+ C: "OO",21,20
+ C: "OO",22,21
+ C: "OP",22,14, "DeformPercent"
+ C: "OP",23,22, "d|DeformPercent"
+}
+)";
+
+TEST_F(SmallFiles, MorphTargetsAndTheirMotion)
+{
+    const Scene s = readByAssimp(write("morph.fbx", morphFbx)).scene;
+    ASSERT_EQ(s.meshes().size(), 1u);
+    const Mesh& m = s.find(s.meshes()[0])->base;
+    EXPECT_EQ(m.faceCount(), 1u);
+    const Attribute* up = m.find("morph:up", Domain::Vertex);
+    ASSERT_TRUE(up);
+    for (size_t v = 0; v < 4; ++v) EXPECT_EQ(up->at(v, 2), m.positions()[v] == glm::vec3(1, 1, 0) ? 3 : 0);
+    ASSERT_EQ(s.clips().size(), 1u);
+    const Clip& clip = *s.find(s.clips()[0]);
+    ASSERT_EQ(clip.channels.size(), 1u);
+    const Channel& c = *clip.channels[0];
+    EXPECT_EQ(c.path, Channel::Path::Weights);
+    EXPECT_TRUE(s.node(c.node).mesh);
+    double weight = -1;
+    sample(c, 0.5, &weight);
+    EXPECT_NEAR(weight, 0.5, 1e-6);
+    EXPECT_DOUBLE_EQ(duration(clip), 1);
+    const ScenePose half = poseAt(s, clip, 0.5);
+    EXPECT_NEAR(half.weights.at(c.node).at(0), 0.5, 1e-6);
+}
+
 TEST_F(SmallFiles, NothingUsableIsRefused)
 {
     for (const char* name : {"a.fbx", "a.x", "a.dae", "a.3ds", "a.md5mesh", "a.md5anim"}) {

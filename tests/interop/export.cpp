@@ -1,9 +1,13 @@
 // Writes many different scenes as glTF into a folder: what other people's programs are then shown.
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <set>
 
 #include "core/gltf/samples.h"
+#include "core/io/foreign.h"
 #include "core/io/gltf.h"
+#include "core/scene/samples.h"
 
 namespace mw {
 namespace {
@@ -159,6 +163,7 @@ void generated(const std::filesystem::path& folder)
     both(oddMaterials(), folder, "odd_materials");
     both(degenerate(), folder, "degenerate");
     both(deepTree(), folder, "deep");
+    for (const std::string_view name : sampleNames()) both(sampleScene(name), folder, "sample_" + std::string(name));
 }
 
 // With half of the faces of each mesh; what hangs on vertices goes through the stack.
@@ -185,8 +190,9 @@ void ofData(const std::filesystem::path& data, const std::filesystem::path& fold
     const std::set<std::string> endings{".glb", ".gltf", ".obj", ".ply", ".bvh"};
     for (const char* sub : {"gltf", "characters", "bvh", "meshes"})
         for (const auto& entry : std::filesystem::recursive_directory_iterator(data / sub)) {
-            const auto ending = entry.path().extension();
-            if (!endings.contains(ending.string()) || entry.file_size() > 20000000) continue;
+            std::string ending = entry.path().extension().string();
+            std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+            if (!(endings.contains(ending) || isForeign(ending)) || entry.file_size() > 20000000) continue;
             std::string name = std::filesystem::relative(entry.path(), data).string();
             std::replace(name.begin(), name.end(), '/', '_');
             try {

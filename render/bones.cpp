@@ -10,6 +10,7 @@ namespace mw {
 namespace {
 
 constexpr double apart = 25;                      // CIEDE2000 between relatives
+constexpr ptrdiff_t mostSiblings = 12;            // that one is told from: the nearest before it
 constexpr double jointReach = 12, boneReach = 5;  // logical pixels
 constexpr double stubLength = 0.3;                // of the bone before it
 
@@ -123,8 +124,10 @@ std::map<NodeId, glm::vec3> boneColors(const Scene& scene)
     for (const NodeId id : scene.nodes()) {
         if (scene.node(id).joint == Node::Joint::No) continue;
         const NodeId parent = jointAbove(scene, id);
-        std::vector<int> relatives = children[parent];
+        std::vector<int> relatives;
         if (parent) {
+            const std::vector<int>& siblings = children[parent];
+            relatives.assign(siblings.end() - std::min(ptrdiff_t(siblings.size()), mostSiblings), siblings.end());
             relatives.push_back(chosen.at(parent));
             if (const NodeId grand = jointAbove(scene, parent)) relatives.push_back(chosen.at(grand));
         }

@@ -148,7 +148,8 @@ void Actions::makeSelect()
     } kinds[] = {{"Pick objects", "object", "Clicks pick whole objects", PickKind::Object},
                  {"Pick vertices", "vertex", "Clicks pick vertices", PickKind::Vertex},
                  {"Pick edges", "edge", "Clicks pick edges", PickKind::Edge},
-                 {"Pick faces", "face", "Clicks pick faces", PickKind::Face}};
+                 {"Pick faces", "face", "Clicks pick faces", PickKind::Face},
+                 {"Pick joints", "bone", "Clicks pick the joints of skeletons, hidden ones too", PickKind::Joint}};
     for (const auto& k : kinds) {
         auto* a = make(k.text, k.icon, QString("Ctrl+%1").arg(pickKinds.size() + 1), k.tip, [&s, kind = k.kind] {
             s.view.pickKind = kind;
@@ -200,6 +201,14 @@ void Actions::makeView()
     xray = toggle("X-ray", "xray", "X", "See, and pick, through the surface", &ViewOptions::xray);
     grid = toggle("Grid", "grid", "G", "The ground in metres", &ViewOptions::grid);
     normals = toggle("Normals", "", "", "A needle at each vertex", &ViewOptions::normalsNeedles);
+    bones = make(
+        "Bones", "bone", "", "The joints of skeletons, through what hides them",
+        [&s] {
+            s.view.showBones = !s.view.showBones;
+            s.view.touch();
+        },
+        true);
+    bones->setCheckable(true);
     orientation = toggle("Orientation marker", "", "", "Where X, Y and Z point", &ViewOptions::orientationMarker);
     legend = toggle("Legend", "", "", "What the colours mean", &ViewOptions::legend);
     picture = make("Save picture...", "picture", "", "Save what the view shows as PNG", [this, &v] {
@@ -298,7 +307,7 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     view->addSeparator();
     view->addActions(shadings);
     auto* overlays = view->addMenu("Overlays");
-    overlays->addActions({wireOverlay, xray, grid, normals, orientation, legend});
+    overlays->addActions({wireOverlay, xray, grid, normals, bones, orientation, legend});
     view->addSeparator();
     view->addActions({darkTheme, lightTheme});
     view->addSeparator();
@@ -348,6 +357,7 @@ void Actions::refresh()
     for (QAction* a : addModifiers + stepThroughs) a->setEnabled(mesh);
     for (const auto& [a, flag] : flags_) a->setChecked(s_.view.options.*flag);
     perspective->setChecked(s_.view.camera.perspective);
+    bones->setChecked(s_.view.showBones);
     pickKinds[int(s_.view.pickKind)]->setChecked(true);
     shadings[int(s_.view.options.shading)]->setChecked(true);
 }

@@ -19,7 +19,7 @@ struct Actions {
     QAction *open, *import, *save, *saveAs, *exportAs, *quit;
     QAction *undo, *redo, *remove, *rename, *duplicate;
     QAction *selectAll, *selectNone, *invert, *hide, *hideOthers, *showAll;
-    QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *picture, *resetCamera;
+    QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *bones, *picture, *resetCamera;
     QAction *darkTheme, *lightTheme;
     QList<QAction*> pickKinds, shadings, views, tools, addModifiers, addSources, stepThroughs;
     QMenu* recent = nullptr;

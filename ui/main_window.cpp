@@ -18,6 +18,8 @@
 #include "ui/command_search.h"
 #include "ui/evaluation_service.h"
 #include "ui/file_commands.h"
+#include "ui/panels/timeline.h"
+#include "ui/playback.h"
 #include "ui/samples.h"
 #include "ui/status_strip.h"
 #include "ui/steps/transport_strip.h"
@@ -34,7 +36,8 @@ MainWindow::MainWindow()
       view_(std::make_unique<ViewState>()),
       steps_(std::make_unique<StepSession>(document_, *jobs_)),
       evaluations_(std::make_unique<EvaluationService>(document_, *jobs_)),
-      session_{document_, *jobs_, *view_, *steps_, evaluations_.get()}
+      playback_(std::make_unique<Playback>(document_, *view_)),
+      session_{document_, *jobs_, *view_, *steps_, evaluations_.get(), playback_.get()}
 {
     setObjectName("mainWindow");
     setMinimumSize(1100, 700);
@@ -83,6 +86,7 @@ void MainWindow::makeCentre()
     QWidget* strip = makeTransportStrip(session_, centre_);
     grid->addWidget(strip, 3, 0, 1, 2);
     installTransportShortcuts(session_.steps, viewport_);
+    installPlaybackShortcuts(session_, viewport_);
     setCentralWidget(centre_);
 }
 
@@ -181,6 +185,15 @@ void MainWindow::listen()
     connect(files_, &FileCommands::opened, this, [this] { viewport_->frameAll(false); });
     connect(files_, &FileCommands::added, this, [this] { viewport_->frameAll(); });
     connect(steps_.get(), &StepSession::opened, this, [this] { workspaces_->change("Learn"); });
+    connect(steps_.get(), &StepSession::opened, playback_.get(), &Playback::pause);
+    connect(workspaces_, &Workspaces::changed, this, [this] {
+        const bool character = workspaces_->current() == "Character";
+        view_->showBones = character;
+        view_->showMeshes = true;
+        for (const auto& [name, shown] : {std::pair{"colourByGroup", !character}, {"showGroup", character}})
+            if (auto* group = header_->findChild<QWidget*>(name)) group->setVisible(shown);
+        view_->touch();
+    });
     status_->setHint("Click picks · Drag orbits · Shift+drag boxes · Right-drag pans · F frames");
 }
 

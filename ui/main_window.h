@@ -52,6 +52,7 @@ private:
     std::unique_ptr<ViewState> view_;
     std::unique_ptr<StepSession> steps_;
     std::unique_ptr<EvaluationService> evaluations_;
+    std::unique_ptr<Playback> playback_;
     Session session_;
     std::unique_ptr<Actions> actions_;
     FileCommands* files_ = nullptr;

@@ -6,6 +6,7 @@
 #include "ui/panels/modifiers.h"
 #include "ui/panels/outliner.h"
 #include "ui/panels/properties.h"
+#include "ui/panels/timeline.h"
 #include "ui/steps/plot_panel.h"
 #include "ui/steps/source_panel.h"
 #include "ui/steps/step_player.h"
@@ -25,6 +26,7 @@ const std::vector<PanelEntry>& panels()
         {"lesson-text", "Lesson text", "The text of the chosen lesson", makeLessonTextPanel},
         {"step-player", "Step player", "Phase, formula and numbers of the running algorithm", makeStepPlayerPanel},
         {"source", "Source", "The algorithm's own source, at the line that runs", makeSourcePanel},
+        {"timeline", "Timeline", "Clips, their keys and the playhead", makeTimelinePanel},
         {"plot", "Plot", "A number of the algorithm over its steps", makePlotPanel},
     };
     return all;

@@ -10,6 +10,7 @@
 namespace mw {
 
 class EvaluationService;
+class Playback;
 
 struct Session {
     Document& document;
@@ -17,6 +18,7 @@ struct Session {
     ViewState& view;
     StepSession& steps;
     EvaluationService* evaluations = nullptr;  ///< who keeps the stacks' results up to date
+    Playback* playback = nullptr;              ///< who moves the playhead
 };
 
 }  // namespace mw

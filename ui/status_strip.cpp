@@ -76,7 +76,7 @@ void StatusStrip::refresh()
     else if (s.nodes.empty())
         selection_->setText("Nothing selected");
     else if (s.nodes.size() == 1)
-        selection_->setText("<b>" + QString::fromStdString(scene.node(s.nodes[0]).name).toHtmlEscaped() + "</b> selected");
+        selection_->setText("<b>" + nodeName(scene, s.nodes[0]).toHtmlEscaped() + "</b> selected");
     else
         selection_->setText(counted(s.nodes.size(), "node", "nodes") + " selected");
     const Node* n = scene.find(s.active());

@@ -61,6 +61,40 @@ QComboBox* colourBy(Session& session, QWidget* parent)
     return combo;
 }
 
+QComboBox* showWhat(Session& session, QWidget* parent)
+{
+    auto* combo = new QComboBox(parent);
+    combo->setObjectName("showWhat");
+    combo->setAccessibleName("Show");
+    combo->setFocusPolicy(Qt::TabFocus);
+    combo->addItems({"Mesh and bones", "Mesh", "Bones"});
+    combo->setToolTip("What is drawn of characters");
+    QObject::connect(combo, &QComboBox::activated, combo, [&session](int i) {
+        session.view.showMeshes = i != 2;
+        session.view.showBones = i != 1;
+        session.view.touch();
+    });
+    const auto refresh = [&session, combo] {
+        const QSignalBlocker quiet(combo);
+        combo->setCurrentIndex(!session.view.showBones ? 1 : session.view.showMeshes ? 0 : 2);
+    };
+    QObject::connect(&session.view, &ViewState::changed, combo, refresh);
+    refresh();
+    return combo;
+}
+
+/// A label and its combo, shown or hidden together by the workspace.
+QWidget* group(const char* name, const QString& label, QComboBox* combo, QWidget* parent)
+{
+    auto* g = new QWidget(parent);
+    g->setObjectName(name);
+    auto* line = new QHBoxLayout(g);
+    line->setContentsMargins(0, 0, 8, 0);
+    line->addWidget(new QLabel(label, g));
+    line->addWidget(combo);
+    return g;
+}
+
 }  // namespace
 
 QWidget* makeViewHeader(Session& session, Viewport& viewport, Actions& a, QWidget* parent)
@@ -81,9 +115,8 @@ QWidget* makeViewHeader(Session& session, Viewport& viewport, Actions& a, QWidge
     line->addSpacing(6);
     line->addWidget(bar(header));
     line->addSpacing(8);
-    line->addWidget(new QLabel("Colour by", header));
-    line->addSpacing(4);
-    line->addWidget(colourBy(session, header));
+    line->addWidget(group("colourByGroup", "Colour by", colourBy(session, header), header));
+    line->addWidget(group("showGroup", "Show", showWhat(session, header), header));
     line->addStretch(1);
     auto* camera = new QComboBox(header);
     camera->setAccessibleName("Camera");

@@ -14,6 +14,20 @@ QString counted(size_t n, const QString& one, const QString& many)
     return grouped(n) + ' ' + (n == 1 ? one : many);
 }
 
+QString nodeName(const Scene& scene, NodeId id)
+{
+    const Node& n = scene.node(id);
+    if (!n.name.empty()) return QString::fromStdString(n.name);
+    const MeshObject* mesh = scene.find(n.mesh);
+    if (mesh && !mesh->name.empty()) return QString::fromStdString(mesh->name);
+    return QString("%1 %2")
+        .arg(n.joint == Node::Joint::Joint     ? "Joint"
+             : n.joint == Node::Joint::EndSite ? "End"
+             : mesh                            ? "Mesh"
+                                               : "Node")
+        .arg(id.value);
+}
+
 QString timeText(double seconds)
 {
     if (seconds < 0.0005) return "0 ms";

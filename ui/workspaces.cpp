@@ -39,6 +39,10 @@ QList<Cell> cellsOf(const QString& workspace, bool narrow)
                 {bottom, {"source"}, 250, 0},
                 {bottom, {"plot"}, 250, 368}};
     }
+    if (workspace == "Character")
+        return {{left, {"outliner", "history"}, 0, 236},
+                {right, {"retarget", "properties"}, 0, narrow ? 336 : 430},
+                {bottom, {"timeline", "plot"}, narrow ? 220 : 266, 0}};
     if (narrow)
         return {{left, {"outliner", "history"}, 200, 276}, {left, {"inspector"}, 0, 276}, {right, {"modifiers", "properties", "jobs"}, 0, 336}};
     return {{left, {"outliner"}, 214, 304},
@@ -125,6 +129,10 @@ void Workspaces::build(const QString& name)
         d->setFloating(false);
         window_->removeDockWidget(d);
     }
+    // Bottom corners belong to the side docks, in Character to the bottom dock.
+    const bool wide = name == "Character";
+    window_->setCorner(Qt::BottomLeftCorner, wide ? Qt::BottomDockWidgetArea : Qt::LeftDockWidgetArea);
+    window_->setCorner(Qt::BottomRightCorner, wide ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea);
     QList<QDockWidget*> columns, rows;
     QList<int> widths, heights;
     QList<QDockWidget*> fronts;

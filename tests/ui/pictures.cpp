@@ -9,6 +9,7 @@
 #include "ui/evaluation_service.h"
 #include "ui/file_commands.h"
 #include "ui/main_window.h"
+#include "ui/playback.h"
 #include "ui/samples.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
@@ -73,6 +74,37 @@ void tour(MainWindow& w, const QString& folder, const QString& dragon)
     w.workspaces().change("Mesh");
 }
 
+/// What moves, in the workspace made for it.
+void characters(MainWindow& w, const QString& folder, const QString& data)
+{
+    const struct {
+        const char *file, *name;
+        double part;  // of the clip
+        const char* joint;
+        bool playing;
+    } all[] = {{"characters/cesium_man.gltf", "cesium", 0.3, "Skeleton_arm_joint_R__3_", false},
+               {"characters/pab_arnaud.fbx", "arnaud", 0.4, "", false},
+               {"characters/robot.glb", "robot", 0.5, "", true},
+               {"bvh/Dance.bvh", "dancer", 0.35, "", false},
+               {"gltf/AnimatedMorphCube/AnimatedMorphCube.gltf", "morph", 0.25, "", false}};
+    w.workspaces().change("Character");
+    for (const auto& one : all) {
+        if (!QFile::exists(data + "/" + one.file)) continue;
+        w.files().open(data + "/" + one.file);
+        settle(w);
+        Playback& play = *w.session().playback;
+        play.setTime(one.part * play.end());
+        const Scene& scene = w.session().document.scene();
+        for (const NodeId id : scene.nodes())
+            if (scene.node(id).name == one.joint) w.session().document.select({{id}, {}, {}});
+        w.viewport().frameAll(false);
+        if (one.playing) play.play();
+        settle(w);
+        shoot(w, folder, one.name);
+        play.pause();
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -89,7 +121,9 @@ int main(int argc, char** argv)
         w.resize(size);
         w.show();
         if (!QTest::qWaitForWindowExposed(&w)) return 1;
-        tour(w, folder, dragon);
+        if (!QString(argc > 1 ? argv[1] : "").startsWith("character")) tour(w, folder, dragon);
+        characters(w, folder, qEnvironmentVariable("MESHWRIGHT_DATA"));
+        if (argc > 1) continue;
         if (size.width() == 1600) {
             applyTheme(app, Theme::Light);
             MainWindow light;

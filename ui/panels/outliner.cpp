@@ -4,12 +4,16 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPainter>
 #include <QSortFilterProxyModel>
 #include <QStandardItemModel>
 #include <QTimer>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <map>
+#include <set>
 
+#include "render/bones.h"
 #include "ui/panels/empty_state.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
@@ -19,7 +23,7 @@ namespace mw {
 namespace {
 
 enum Columns { NameColumn, CountColumn, EyeColumn, ColumnCount };
-constexpr int nodeRole = Qt::UserRole + 1;
+constexpr int nodeRole = Qt::UserRole + 1, jointRole = Qt::UserRole + 2;
 
 // Enter frames, everything else as a tree does.
 class Tree : public QTreeView {
@@ -46,7 +50,7 @@ public:
         box->setContentsMargins(8, 8, 8, 0);
         box->setSpacing(6);
         filter_ = new QLineEdit(this);
-        filter_->setPlaceholderText("Filter nodes");
+        filter_->setPlaceholderText("Filter nodes and joints");
         filter_->setClearButtonEnabled(true);
         filter_->addAction(icon("search", tokens().text2), QLineEdit::LeadingPosition);
         tree_ = new Tree(this);
@@ -58,7 +62,7 @@ public:
         box->addWidget(tree_, 1);
         setUpTree();
         subscription_ = session_.document.subscribe([this](const Change& c) {
-            if (c.aspects & (Aspect::Tree | Aspect::Mesh | Aspect::Stack | Aspect::Evaluation | Aspect::File)) rebuildSoon();
+            if (c.aspects & (Aspect::Tree | Aspect::Skin | Aspect::Mesh | Aspect::Stack | Aspect::Evaluation | Aspect::File)) rebuildSoon();
             if (c.aspects & (Aspect::Selection | Aspect::History)) showSelection();
         });
         rebuild();
@@ -99,6 +103,14 @@ private:
             if (!filling_ && item->column() == NameColumn) edits::rename(session_.document, {item->data(nodeRole).toUInt()}, item->text());
         });
         connect(tree_, &QTreeView::customContextMenuRequested, this, [this](const QPoint& p) { menu(tree_->viewport()->mapToGlobal(p)); });
+        for (auto [signal, open] : {std::pair{&QTreeView::expanded, true}, {&QTreeView::collapsed, false}})
+            connect(tree_, signal, this, [this, open = open](const QModelIndex& i) {
+                if (filling_ || !i.data(jointRole).toBool()) return;
+                if (open)
+                    unfolded_.insert(nodeAt(i));
+                else
+                    unfolded_.erase(nodeAt(i));
+            });
         tree_->enter = [this] { session_.view.frameNodes(session_.document.selection().nodes); };
     }
 
@@ -114,10 +126,17 @@ private:
     QList<QStandardItem*> rowOf(NodeId id)
     {
         const Node& n = session_.document.scene().node(id);
-        auto* name = new QStandardItem(icon(n.mesh ? "mesh" : "tree"), QString::fromStdString(n.name.empty() ? "Node" : n.name));
+        const bool joint = n.joint != Node::Joint::No;
+        auto* name = new QStandardItem(icon(n.mesh ? "mesh" : joint ? "bone" : "tree"), nodeName(session_.document.scene(), id));
         auto* counts = new QStandardItem(n.mesh ? countsText(session_.document.shownMesh(n.mesh)) : QString());
         auto* eye = new QStandardItem(icon(n.visible ? "eye" : "eye-off", n.visible ? QColor() : tokens().text3), QString());
         name->setData(id.value, nodeRole);
+        name->setData(joint, jointRole);
+        if (joint) {
+            const glm::vec3 c = colors_.at(id);
+            counts->setIcon(chip(QColor::fromRgbF(c.r, c.g, c.b)));
+            counts->setToolTip("The colour of its bone");
+        }
         name->setEditable(true);
         counts->setEditable(false);
         counts->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -136,14 +155,38 @@ private:
         pending_ = false;
         filling_ = true;
         model_->removeRows(0, model_->rowCount());
+        colors_ = boneColors(session_.document.scene());
         for (NodeId id : session_.document.scene().roots()) model_->appendRow(rowOf(id));
         tree_->expandAll();
+        foldJoints();
         filling_ = false;
         const bool any = model_->rowCount() > 0;
         empty_->setVisible(!any);
         tree_->setVisible(any);
         filter_->setEnabled(any);
         showSelection();
+    }
+
+    // Skeletons are long: they open when asked to, and stay so.
+    void foldJoints()
+    {
+        visit({}, [&](const QModelIndex& i) {
+            if (i.data(jointRole).toBool() && !unfolded_.count(nodeAt(i))) tree_->collapse(i);
+        });
+    }
+
+    QIcon chip(const QColor& color) const
+    {
+        const qreal ratio = devicePixelRatioF();
+        QPixmap picture(QSize(16, 16) * ratio);
+        picture.setDevicePixelRatio(ratio);
+        picture.fill(Qt::transparent);
+        QPainter p(&picture);
+        p.setRenderHint(QPainter::Antialiasing);
+        p.setPen(Qt::NoPen);
+        p.setBrush(color);
+        p.drawRoundedRect(QRectF(4, 4, 8, 8), 2, 2);
+        return QIcon(picture);
     }
 
     void visit(const QModelIndex& parent, const std::function<void(const QModelIndex&)>& f)
@@ -163,6 +206,7 @@ private:
         visit({}, [&](const QModelIndex& i) {
             if (!s.has(nodeAt(i))) return;
             tree_->selectionModel()->select(i, QItemSelectionModel::Select | QItemSelectionModel::Rows);
+            for (QModelIndex up = i.parent(); up.isValid(); up = up.parent()) tree_->expand(up);
             if (nodeAt(i) == s.active()) {
                 tree_->selectionModel()->setCurrentIndex(i, QItemSelectionModel::NoUpdate);
                 tree_->scrollTo(i);
@@ -212,6 +256,8 @@ private:
     QStandardItemModel* model_;
     QSortFilterProxyModel* proxy_;
     std::shared_ptr<void> subscription_;
+    std::map<NodeId, glm::vec3> colors_;
+    std::set<NodeId> unfolded_;
     bool filling_ = false, pending_ = false;
 };
 

@@ -1,11 +1,17 @@
 #include "ui/panels/properties.h"
 
+#include <QLabel>
+#include <QLocale>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/panels/empty_state.h"
 #include "ui/parameter_form.h"
+#include "ui/playback.h"
+#include "ui/theme.h"
+#include "ui/words.h"
 
 namespace mw {
 namespace {
@@ -49,6 +55,23 @@ ParameterValues valuesOf(const Transform& t)
     return {{"position", t.translation}, {"rotation", glm::degrees(glm::eulerAngles(t.rotation))}, {"scale", t.scale}};
 }
 
+/// Rows between upright lines, three decimals; a number that would show as -0.000 has no sign.
+QString matrixText(const QString& title, const glm::dmat4& m)
+{
+    QString rows;
+    for (int r = 0; r < 4; ++r) {
+        rows += "<tr>";
+        for (int c = 0; c < 4; ++c) {
+            const double v = std::abs(m[c][r]) < 5e-4 ? 0 : m[c][r];
+            const QString edge = c == 0 ? "border-left: 1px solid %1;" : c == 3 ? "border-right: 1px solid %1;" : "";
+            rows += QString("<td align='right' style='padding: 1px 7px; %1'>%2</td>")
+                        .arg(edge.isEmpty() ? edge : edge.arg(tokens().text2.name()), QLocale().toString(v, 'f', 3).replace('-', QChar(0x2212)));
+        }
+        rows += "</tr>";
+    }
+    return QString("<p style='margin: 6px 0 2px 0; color: %1'>%2</p><table cellspacing='0'>%3</table>").arg(tokens().text2.name(), title, rows);
+}
+
 class Properties : public QWidget {
 public:
     Properties(Session& session, QWidget* parent) : QWidget(parent), session_(session)
@@ -66,6 +89,9 @@ public:
             if (c.aspects & (Aspect::Selection | Aspect::Tree | Aspect::Transform | Aspect::Material | Aspect::File | Aspect::History))
                 QMetaObject::invokeMethod(
                     this, [this] { refresh(); }, Qt::QueuedConnection);
+        });
+        connect(&session_.view, &ViewState::timeChanged, this, [this] {
+            if (isVisible()) showMatrices();
         });
         refresh();
     }
@@ -85,6 +111,7 @@ private:
             delete item;
         }
         transform_ = material_ = nullptr;
+        matrices_ = nullptr;
     }
 
     MaterialId materialOf(NodeId id) const
@@ -108,6 +135,7 @@ private:
         const MaterialId material = materialOf(active);
         if (node && active == shown_ && material == shownMaterial_ && transform_) {
             transform_->setValues(valuesOf(node->local));
+            showMatrices();
             if (material_) material_->setValues(materialValues(material));
             return;
         }
@@ -119,7 +147,7 @@ private:
             box_->addStretch(1);
             return;
         }
-        heading(QString::fromStdString(node->name));
+        heading(nodeName(session_.document.scene(), active));
         transform_ = new ParameterForm(described<TransformForm>(), valuesOf(node->local), inside_);
         box_->addWidget(transform_);
         connect(transform_, &ParameterForm::committed, this, [this](const ParameterValues& v, const QString& what) { moveTo(v, what); });
@@ -134,7 +162,41 @@ private:
         } else if (node->mesh) {
             box_->addWidget(emptyStateLabel("No material: the mesh is shown in plain clay.", inside_));
         }
+        if (node->joint != Node::Joint::No) addMatrices();
         box_->addStretch(1);
+    }
+
+    void addMatrices()
+    {
+        heading("At the playhead");
+        matrices_ = new QLabel(inside_);
+        matrices_->setObjectName("jointMatrices");
+        matrices_->setTextFormat(Qt::RichText);
+        matrices_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        matrices_->setToolTip("Matrices act on columns; the last column is the place, in metres.");
+        box_->addWidget(matrices_);
+        showMatrices();
+    }
+
+    /// The joint's own transform, where that puts it, and the offset matrix that brings the mesh into its space (7.7).
+    void showMatrices()
+    {
+        const Scene& scene = session_.document.scene();
+        const Node* node = scene.find(shown_);
+        if (!matrices_ || !node) return;
+        const ScenePose pose = session_.playback ? session_.playback->pose() : ScenePose();
+        const auto posed = pose.locals.find(shown_);
+        const Transform local = posed == pose.locals.end() ? node->local : posed->second;
+        QString text = matrixText("Local: parent from joint", local.matrix());
+        text += matrixText("World: world from joint", worldMatrices(scene, pose).at(shown_));
+        for (const SkinId id : scene.skins()) {
+            const Skin& skin = *scene.find(id);
+            const auto at = std::find(skin.joints.begin(), skin.joints.end(), shown_);
+            if (at == skin.joints.end()) continue;
+            text += matrixText("Offset: joint from mesh, at rest", skin.inverseBind[size_t(at - skin.joints.begin())]);
+            break;
+        }
+        matrices_->setText(text);
     }
 
     void moveTo(const ParameterValues& v, const QString& what)
@@ -164,6 +226,7 @@ private:
     Session& session_;
     QWidget* inside_;
     QVBoxLayout* box_;
+    QLabel* matrices_ = nullptr;
     ParameterForm *transform_ = nullptr, *material_ = nullptr;
     NodeId shown_;
     MaterialId shownMaterial_;

@@ -2,6 +2,7 @@
 
 #include "render/colors.h"
 #include "render/value_frame.h"
+#include "ui/playback.h"
 
 namespace mw {
 namespace {
@@ -16,6 +17,10 @@ void markSelection(const Session& s, Frame& frame)
         o.selected = selection.has(o.node) && s.view.pickKind == PickKind::Object && selection.elements.indices.empty();
         o.hovered = s.view.hovered == o.node && s.view.pickKind == PickKind::Object;
         if (s.view.dimOthers) o.dimmed = o.node != selection.elementsOf;
+    }
+    for (DrawBone& b : frame.bones) {
+        b.selected = selection.has(b.node);
+        b.hovered = s.view.hovered == b.node;
     }
     if (!selection.elementsOf || selection.elements.indices.empty()) return;
     Mark m;
@@ -33,6 +38,8 @@ void markFocus(const Session& s, Frame& frame)
         if (o.node != s.steps.node()) continue;
         const Value* value = s.steps.value();
         if (const Mesh* mesh = value ? std::get_if<Mesh>(value) : nullptr) o.mesh = *mesh;
+        o.pose = nullptr;  // places of a step are those of the mesh at rest
+        o.worldFromLocal = s.document.scene().worldFromLocal(o.node);
         o.heat = nullptr;
         // What an algorithm does is done to faces and edges: they are shown, unless there are too many to tell apart.
         if (o.mesh.faceCount() <= edgesShownUpTo) {
@@ -58,7 +65,10 @@ Mesh shownMesh(const Session& session, MeshId id)
 
 Frame buildFrame(const Session& session, HeatService& heats)
 {
-    Frame frame = frameOf(session.document.scene(), [&](MeshId id) { return shownMesh(session, id); });
+    Frame frame = frameOf(
+        session.document.scene(), [&](MeshId id) { return shownMesh(session, id); }, session.playback ? session.playback->pose() : ScenePose());
+    if (!session.view.showMeshes && !frame.bones.empty()) frame.objects.clear();
+    if (!session.view.showBones && !frame.objects.empty()) frame.bones.clear();
     frame.camera = session.view.camera;
     frame.options = session.view.options;
     const Operation* query = session.view.colourBy.isEmpty() ? nullptr : findOperation(session.view.colourBy.toStdString());

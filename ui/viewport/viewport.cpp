@@ -18,6 +18,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
     setMinimumSize(240, 180);
     subscription_ = session_.document.subscribe([this](const Change&) { refresh(); });
     connect(&session_.view, &ViewState::changed, this, &Viewport::refresh);
+    connect(&session_.view, &ViewState::timeChanged, this, &Viewport::refresh);
     connect(&session_.view, &ViewState::frameRequested, this, [this](const std::vector<NodeId>& nodes) { showFrame(boundsOfNodes(nodes), true); });
     connect(&session_.view, &ViewState::boundsRequested, this, [this](const Bounds& b) { showFrame(b, true); });
     connect(&session_.steps, &StepSession::changed, this, [this] {
@@ -119,12 +120,16 @@ Bounds Viewport::boundsOfNodes(const std::vector<NodeId>& nodes)
 {
     if (nodes.empty()) return boundsOf(frame());
     Frame part;
-    for (const DrawObject& o : frame().objects)
-        for (NodeId n : nodes) {
-            NodeId up = o.node;
-            while (up && up != n) up = session_.document.scene().node(up).parent;
-            if (up == n) part.objects.push_back(o);
-        }
+    const auto within = [&](NodeId node, NodeId n) {
+        while (node && node != n) node = session_.document.scene().node(node).parent;
+        return node == n;
+    };
+    for (NodeId n : nodes) {
+        for (const DrawObject& o : frame().objects)
+            if (within(o.node, n)) part.objects.push_back(o);
+        for (const DrawBone& b : frame().bones)
+            if (within(b.node, n)) part.bones.push_back(b);
+    }
     return boundsOf(part);
 }
 
@@ -202,8 +207,9 @@ void Viewport::frameSelection()
         for (const DrawObject& o : frame().objects) {
             if (o.node != s.elementsOf) continue;
             Bounds b;
+            const Shared<glm::vec3> places = o.pose ? posed(o.mesh, *o.pose).positions() : o.mesh.positions();
             const auto add = [&](uint32_t v) {
-                if (v < o.mesh.vertexCount()) b.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(o.mesh.positions()[v]), 1)));
+                if (v < places.size()) b.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(places[v]), 1)));
             };
             for (uint32_t i : s.elements.indices)
                 if (s.elements.kind != ElementKind::Face) {

@@ -62,6 +62,7 @@ private:
     QString markerView(QPointF at) const;  // "top" when a ball of the orientation marker is there
     Bounds boundsOfNodes(const std::vector<NodeId>& nodes);
     std::optional<Pick> pickAt(QPointF at);
+    NodeId jointUnder(QPointF at, bool surface);  // when joints are picked, or nothing else is there
     glm::ivec2 deviceSize() const;
     glm::dvec2 logicalSize() const { return {width(), height()}; }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "render/bones.h"
 #include "ui/viewport/viewport.h"
 
 namespace mw {
@@ -165,18 +166,34 @@ QString Viewport::markerView(QPointF at) const
     return nearest;
 }
 
+NodeId Viewport::jointUnder(QPointF at, bool surface)
+{
+    const PickKind kind = session_.view.pickKind;
+    if (kind != PickKind::Joint && (kind != PickKind::Object || surface)) return {};
+    frame();
+    frame_.camera = session_.view.camera;
+    const double r = devicePixelRatioF();
+    return jointAt(frame_, deviceSize(), {at.x() * r, at.y() * r});
+}
+
 void Viewport::click(QPointF point, Qt::KeyboardModifiers m)
 {
     if (const QString view = markerView(point); !view.isEmpty()) return lookFrom(view);
-    const auto pick = pickAt(point);
+    auto pick = pickAt(point);
     Selection s = session_.document.selection();
     const bool extend = m & (Qt::ShiftModifier | Qt::ControlModifier);
+    if (const NodeId joint = jointUnder(point, pick.has_value())) {
+        pick.emplace();
+        pick->node = joint;
+    } else if (session_.view.pickKind == PickKind::Joint) {
+        pick.reset();
+    }
     if (!pick) {
         if (!extend) session_.document.select({});
         return;
     }
     const PickKind kind = session_.view.pickKind;
-    if (kind == PickKind::Object) {
+    if (kind == PickKind::Object || kind == PickKind::Joint) {
         const auto at = std::find(s.nodes.begin(), s.nodes.end(), pick->node);
         const bool had = at != s.nodes.end();
         if (!extend)
@@ -208,6 +225,7 @@ void Viewport::selectBox(const QRect& box, Qt::KeyboardModifiers m)
         renderer_->visibleFaces(frame_, deviceSize(), {int(box.left() * r), int(box.top() * r)}, {int(box.right() * r), int(box.bottom() * r)});
     doneCurrent();
     const PickKind kind = session_.view.pickKind;
+    if (kind == PickKind::Joint) return;
     if (kind == PickKind::Object) {
         Selection s = session_.document.selection();
         if (boxTool_ && !(m & (Qt::ShiftModifier | Qt::ControlModifier))) s.nodes.clear();
@@ -223,9 +241,9 @@ void Viewport::selectBox(const QRect& box, Qt::KeyboardModifiers m)
         const bool preferred = node == active || visible.size() == 1 || !active;
         const auto object = std::find_if(frame_.objects.begin(), frame_.objects.end(), [n = node](const DrawObject& o) { return o.node == n; });
         if (!preferred || object == frame_.objects.end()) continue;
+        const Shared<glm::vec3> places = object->pose ? posed(object->mesh, *object->pose).positions() : object->mesh.positions();
         const auto inside = [&](uint32_t v) {
-            const glm::dvec3 p =
-                frame_.camera.project(glm::dvec3(object->worldFromLocal * glm::dvec4(glm::dvec3(object->mesh.positions()[v]), 1)), logicalSize());
+            const glm::dvec3 p = frame_.camera.project(glm::dvec3(object->worldFromLocal * glm::dvec4(glm::dvec3(places[v]), 1)), logicalSize());
             return box.contains(int(p.x), int(p.y));
         };
         Keys picked;
@@ -273,7 +291,8 @@ void Viewport::hover()
     clock.start();
     const auto pick = pickAt(last_);
     hoverTimer_.setInterval(std::clamp(int(clock.elapsed()) * 3, 30, 600));  // a slow driver gets time between
-    const NodeId node = pick && session_.view.pickKind == PickKind::Object ? pick->node : NodeId{};
+    NodeId node = pick && session_.view.pickKind == PickKind::Object ? pick->node : NodeId{};
+    if (const NodeId joint = jointUnder(last_, pick.has_value())) node = joint;
     auto mark = pick ? hoverMark(*pick, session_.view.pickKind) : std::nullopt;
     const bool same = node == session_.view.hovered && mark.has_value() == hoverMark_.has_value() &&
                       (!mark || (mark->indices == hoverMark_->indices && mark->node == hoverMark_->node));

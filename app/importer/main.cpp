@@ -1,10 +1,13 @@
 // meshwright-import FILE: a foreign file as our own project on standard output. Standard error gets one line of JSON: format, units and
-// warnings, or the error. It limits itself: CPU seconds by MESHWRIGHT_IMPORT_SECONDS (60), memory by MESHWRIGHT_IMPORT_MEMORY in MiB (4096).
+// warnings, or the error. It limits itself: CPU seconds by MESHWRIGHT_IMPORT_SECONDS (60), memory by the size of the
+// file, at most MESHWRIGHT_IMPORT_MEMORY in MiB (4096).
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -41,14 +44,17 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t soft, rlim_t hard)
     setrlimit(what, &both);
 }
 
-void limitMyself()
+void limitMyself([[maybe_unused]] const char* file)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the result any more
     limit(RLIMIT_CORE, 0, 0);
     const rlim_t seconds = setting("MESHWRIGHT_IMPORT_SECONDS", 60);
     limit(RLIMIT_CPU, seconds, seconds + 1);
 #ifndef __SANITIZE_ADDRESS__
-    const rlim_t bytes = setting("MESHWRIGHT_IMPORT_MEMORY", 4096) << 20;
+    std::error_code ignored;
+    const auto size = std::filesystem::file_size(file, ignored);
+    const rlim_t floor = rlim_t(1) << 30, most = setting("MESHWRIGHT_IMPORT_MEMORY", 4096) << 20;
+    const rlim_t bytes = ignored || size > most ? most : std::min(most, floor + 64 * rlim_t(size));
     limit(RLIMIT_AS, bytes, bytes);
 #endif
 }
@@ -89,7 +95,7 @@ int main(int argc, char** argv)
                "what you want.\n";
         return 2;
     }
-    limitMyself();
+    limitMyself(argv[1]);
     try {
         return run(argv[1]);
     } catch (const mw::Error& e) {

@@ -1,4 +1,4 @@
-// One mesh of everything a scene shows, in world space: for formats without a hierarchy.
+// One mesh of everything a scene shows, in world space: for formats without a hierarchy. Terrains as meshes: for formats without terrains.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
@@ -273,6 +273,41 @@ Flattened Joiner::run()
 }
 
 }  // namespace
+
+namespace {
+
+/// The colours are at the vertices.
+Material groundMaterial()
+{
+    Material m;
+    m.name = "ground";
+    m.baseColor = glm::dvec4(1);
+    m.roughness = 0.9;
+    return m;
+}
+
+}  // namespace
+
+Scene withTerrainMeshes(const Scene& scene, size_t trianglesEach, Progress* progress)
+{
+    Scene out = scene;
+    std::map<TerrainId, MeshId> done;
+    MaterialId ground;
+    for (const NodeId id : scene.nodes()) {
+        Node node = scene.node(id);
+        const TerrainObject* object = scene.find(node.terrain);
+        if (!object || node.mesh || object->terrain.map.empty()) continue;
+        if (!ground) ground = out.add(groundMaterial());
+        auto known = done.find(node.terrain);
+        if (known == done.end()) {
+            Mesh mesh = terrainMesh(object->terrain, trianglesEach, progress);
+            known = done.emplace(node.terrain, out.add(MeshObject{object->terrain.name, std::move(mesh), {ground}, {}})).first;
+        }
+        node.mesh = known->second;
+        out.set(id, std::move(node));
+    }
+    return out;
+}
 
 Flattened flattened(const Scene& scene, Progress* progress)
 {

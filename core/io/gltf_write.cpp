@@ -37,8 +37,9 @@ std::vector<double> weightsOf(const Node& n, size_t targets)
 
 class SceneWriter {
 public:
-    SceneWriter(const Scene& scene, const WriteOptions& options, std::vector<Warning>& warnings, Progress* progress)
-        : scene_(scene), options_(options), warnings_(warnings), progress_(progress)
+    /// `scene` as viewers show it, `original` as the project keeps it.
+    SceneWriter(const Scene& scene, const Scene& original, const WriteOptions& options, std::vector<Warning>& warnings, Progress* progress)
+        : scene_(scene), original_(original), options_(options), warnings_(warnings), progress_(progress)
     {}
     GltfBuilder write();
 
@@ -69,7 +70,7 @@ private:
     size_t sampler(bool repeat);
     void warn(const char* code, std::string text) { warnings_.push_back({code, std::move(text), {}}); }
 
-    const Scene& scene_;
+    const Scene &scene_, &original_;
     const WriteOptions& options_;
     std::vector<Warning>& warnings_;
     Progress* progress_;
@@ -100,7 +101,7 @@ GltfBuilder SceneWriter::write()
     addTree();
     if (hidden_ && !options_.project)
         warn("hidden-nodes", std::to_string(hidden_) + " hidden objects were written without their meshes; show them to export them");
-    if (options_.project) addProject(builder_, scene_, imageViews_);
+    if (options_.project) addProject(builder_, original_, imageViews_);
     if (!builder_.bin.empty()) builder_.root["buffers"].push_back({{"byteLength", builder_.bin.size()}});
     return std::move(builder_);
 }
@@ -375,7 +376,8 @@ std::optional<size_t> SceneWriter::image(ImageId id)
 
 GltfBuilder builtFrom(const Scene& scene, const WriteOptions& options, std::vector<Warning>& warnings, Progress* progress)
 {
-    return SceneWriter(scene, options, warnings, progress).write();
+    const Scene shown = withTerrainMeshes(scene, options.terrainTriangles, progress);
+    return SceneWriter(shown, scene, options, warnings, progress).write();
 }
 
 // Letters that a URI may have as they are; all others as %XX.

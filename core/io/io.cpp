@@ -125,9 +125,9 @@ std::vector<Warning> writeFile(const Scene& scene, const fs::path& file, const W
 {
     switch (byEnding(file)) {
         case Type::Obj:
-            return writeObj(scene, file, progress);
+            return writeObj(withTerrainMeshes(scene, options.terrainTriangles, progress), file, progress);
         case Type::Ply:
-            return writePly(scene, file, options, progress);
+            return writePly(withTerrainMeshes(scene, options.terrainTriangles, progress), file, options, progress);
         case Type::Gltf:
             return writeGltf(scene, file, options, progress);
         case Type::Bvh:

@@ -32,10 +32,11 @@ const std::vector<FileFormat>& fileFormats();
 Imported readFile(const std::filesystem::path& file, Progress* progress = nullptr);
 
 struct WriteOptions {
-    bool project = false;            ///< glTF only: add what is needed to go on editing
-    bool binary = true;              ///< PLY
-    bool bigEndian = false;          ///< PLY, binary
-    Evaluator* evaluator = nullptr;  ///< glTF: one that may know results of the stacks already; null: they are computed
+    bool project = false;               ///< glTF only: add what is needed to go on editing
+    bool binary = true;                 ///< PLY
+    bool bigEndian = false;             ///< PLY, binary
+    Evaluator* evaluator = nullptr;     ///< glTF: one that may know results of the stacks already; null: they are computed
+    size_t terrainTriangles = 200'000;  ///< most triangles of each terrain, which becomes a mesh in all formats but pictures
 };
 /// By ending. Writes the evaluated scene. All or nothing: to a temporary file, then renamed. Gives what the format could not hold.
 std::vector<Warning> writeFile(const Scene& scene, const std::filesystem::path& file, const WriteOptions& options = {}, Progress* progress = nullptr);
@@ -48,5 +49,7 @@ struct Flattened {
     std::vector<MaterialId> materials;
 };
 Flattened flattened(const Scene& scene, Progress* progress = nullptr);
+/// Nodes that show a terrain and no mesh show a mesh of it; for formats that know no terrains.
+Scene withTerrainMeshes(const Scene& scene, size_t trianglesEach, Progress* progress = nullptr);
 
 }  // namespace mw

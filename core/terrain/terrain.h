@@ -40,7 +40,11 @@ struct Terrain {
 Bounds boundsOf(const Terrain& t);
 uint64_t contentHash(const Terrain& t);
 
-/// Triangles that follow the surface within the least error that the budget allows; corners carry "texcoord", vertices "normal".
+/// At most so many triangles (at least the few that the border takes), the more where the surface bends; all cells when the budget allows.
+/// An open sheet, anticlockwise from above, vertices at samples; where water stands, its surface. Vertices carry "normal" and "color" (the
+/// layers), corners "texcoord": 0, 1 at the first sample, as the picture of the map.
 Mesh terrainMesh(const Terrain& t, size_t triangleBudget, Progress* progress = nullptr);
+/// Largest vertical distance of a sample, or the water over it, from such a mesh, metres.
+double terrainMeshError(const Terrain& t, const Mesh& mesh);
 
 }  // namespace mw

@@ -1,6 +1,7 @@
 // Skins, animations and morph weights of glTF files: real files as tinygltf (another program's reader) finds them, each rule on a small file.
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <tiny_gltf.h>
 
@@ -392,6 +393,75 @@ TEST_P(RealMotion, ComesBack)
         for (size_t j = 0; j < x.joints.size(); ++j) EXPECT_EQ(pathOf(a, x.joints[j]), pathOf(b, y.joints[j]));
     }
 }
+
+// Where the vertices of a mesh are at a time: their number, sum and sum of products, which do not depend on their order.
+struct Cloud {
+    size_t count = 0;
+    glm::dvec3 sum{0};
+    glm::dmat3 products{0};
+};
+
+std::vector<Cloud> clouds(const Scene& s, const ScenePose& pose)
+{
+    std::map<MeshId, Cloud> by;
+    const auto worlds = worldMatrices(s, pose);
+    for (const NodeId n : s.nodes()) {
+        const MeshObject* o = s.find(s.node(n).mesh);
+        if (!o) continue;
+        const auto how = meshPose(s, n, o->base, pose, worlds);
+        const Mesh m = how ? posed(o->base, *how) : o->base;
+        const glm::dmat4 world = worldFromMesh(s, n, worlds);
+        Cloud& c = by[s.node(n).mesh];
+        for (const glm::vec3& p : m.positions()) {
+            const glm::dvec3 at(world * glm::dvec4(p, 1));
+            ++c.count;
+            c.sum += at;
+            c.products += glm::outerProduct(at, at);
+        }
+    }
+    std::vector<Cloud> all;
+    for (const auto& [id, c] : by) all.push_back(c);
+    return all;
+}
+
+class Characters : public testing::TestWithParam<const char*> {};
+
+TEST_P(Characters, MoveTheSameAfterConversion)
+{
+    MESHWRIGHT_DATA_OR_SKIP(data);
+    std::optional<Imported> in;
+    try {
+        in = readFile(data / "characters" / GetParam());
+    } catch (const Error& e) {
+        if (std::string_view(e.what()).find("meshwright-import") != std::string_view::npos) GTEST_SKIP() << e.what();
+        throw;
+    }
+    const Scene &a = in->scene, b = readGltf(glbOf(a), {}).scene;
+    ASSERT_EQ(a.clips().size(), b.clips().size());
+    for (size_t c = 0; c < a.clips().size(); ++c) {
+        const Clip &x = *a.find(a.clips()[c]), &y = *b.find(b.clips()[c]);
+        EXPECT_EQ(x.name, y.name);
+        EXPECT_NEAR(duration(x), duration(y), 1e-5);
+        for (int i = 0; i < 10; ++i) {
+            const double t = duration(x) * i / 9;
+            const std::vector<Cloud> from = clouds(a, poseAt(a, x, t)), to = clouds(b, poseAt(b, y, t));
+            ASSERT_EQ(from.size(), to.size());
+            for (size_t m = 0; m < from.size(); ++m) {
+                ASSERT_EQ(from[m].count, to[m].count);
+                const auto n = double(from[m].count),
+                           spread = std::sqrt((from[m].products[0][0] + from[m].products[1][1] + from[m].products[2][2]) / n);
+                EXPECT_LT(glm::length(from[m].sum - to[m].sum) / n, 1e-4 * spread) << x.name << " at " << t;
+                for (int k = 0; k < 3; ++k)
+                    EXPECT_LT(glm::length(from[m].products[k] - to[m].products[k]) / n, 1e-4 * spread * spread) << x.name << " at " << t;
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Data, Characters,
+                         testing::Values("cesium_man.gltf", "rigged_simple.gltf", "simple_skin.gltf", "robot.glb", "pab_arnaud.fbx", "pab_run.fbx",
+                                         "pab_walk.fbx", "animation_with_skeleton.fbx", "Testwuson.X", "anim_test.x", "BCN_Epileptic.X",
+                                         "bob/Bob.md5mesh", "bob/Bob.md5anim"));
 
 // Where everything stands at a time, by path of names.
 std::map<std::string, glm::dmat4> stands(const Scene& s, size_t clip, double time)

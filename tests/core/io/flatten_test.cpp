@@ -115,5 +115,40 @@ TEST(Flatten, WritersWriteTheEvaluatedScene)
     }
 }
 
+TEST(Flatten, TerrainsAreWrittenAsMeshesInEveryFormat)
+{
+    Scene scene;
+    TerrainObject o;
+    o.terrain.name = "island";
+    const float heights[] = {0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0.5f, 0};
+    o.terrain.map = HeightMap(3, 4, heights);
+    o.terrain.extent = 20;
+    o.terrain.maximumHeight = 7;
+    const TerrainId terrain = scene.add(std::move(o));
+    for (double x : {0.0, 100.0}) {
+        Node n;
+        n.name = "land";
+        n.terrain = terrain;
+        n.local.translation = {x, 0, 0};
+        scene.add(std::move(n));
+    }
+    const Folder folder;
+    for (const char* name : {"a.obj", "a.ply", "a.glb", "a.gltf"}) {
+        writeFile(scene, folder.path / name);
+        const Mesh all = flattened(readFile(folder.path / name).scene).mesh;
+        EXPECT_EQ(all.faceCount(), 2u * 12) << name;
+        EXPECT_EQ(all.bounds().min, glm::dvec3(-10, 0, -15)) << name;
+        EXPECT_EQ(all.bounds().max, glm::dvec3(110, 7, 15)) << name;
+        EXPECT_TRUE(all.find("color")) << name;
+    }
+    EXPECT_EQ(readFile(folder.path / "a.glb").scene.meshes().size(), 1u) << "two nodes share it";
+    writeFile(scene, folder.path / "p.glb", {.project = true});
+    const Imported back = readFile(folder.path / "p.glb");
+    EXPECT_TRUE(back.project);
+    EXPECT_EQ(contentHash(back.scene), contentHash(scene)) << "a project keeps the heights and knows no mesh of them";
+    writeFile(scene, folder.path / "few.ply", {.terrainTriangles = 2});
+    EXPECT_LE(flattened(readFile(folder.path / "few.ply").scene).mesh.faceCount(), 2u * 6);
+}
+
 }  // namespace
 }  // namespace mw::test

@@ -17,7 +17,7 @@ std::span<const Verb> verbs()
 #ifdef MESHWRIGHT_HAS_RENDER
         renderVerb,  galleryVerb,
 #endif
-        poseVerb,    lessonsVerb,
+        poseVerb,    terrainVerb,   lessonsVerb,
     };
     return table;
 }

@@ -5,7 +5,7 @@ import random
 
 from harness import DATA, SANITIZED, Case, Ran, main, needs_data, rows
 
-ENDINGS = (".obj", ".ply", ".gltf", ".glb", ".x", ".fbx", ".md5mesh", ".md5anim")
+ENDINGS = (".obj", ".ply", ".gltf", ".glb", ".x", ".fbx", ".md5mesh", ".md5anim", ".tga")
 
 
 @needs_data
@@ -65,6 +65,11 @@ class Bombs(Case):
                 "asset": {"version": "2.0"}, "accessors": [accessor], "bufferViews": [{"buffer": 0, "byteLength": 36}],
                 "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + "A" * 48}],
                 "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0}))
+
+    def test_pictures(self):
+        self.refused("bomb.pgm", "P5\n16000 16000\n255\nxyz")
+        self.refused("bomb.pgm", "P2\n16000 16000\n255\n1 2 3")
+        self.refused("bomb.tga", "\0\0\13" + "\0" * 9 + "\x7f\x3e\x7f\x3e\x08\0" + "\x7f" * 100)
 
     def test_deep_json(self):
         self.refused("deep.gltf", '{"asset":{"version":"2.0"},"extras":' + "[" * 200000 + "]" * 200000 + "}")

@@ -65,6 +65,29 @@ class Foreign(Case):
                         self.assertTrue(ran.err.startswith(f"meshwright: {damaged}"), ran)
 
 
+class Bombs(Case):
+    """Small files whose numbers are large, or that nest too deep for a stack."""
+
+    def refused(self, name, text):
+        ran = Ran(["info", self.write(name, text)], limit=60)
+        self.assertEqual(ran.code, 1, ran)
+        self.assertTrue(ran.err.startswith(f"meshwright: {self.folder / name}: "), ran)
+        self.assertLess(ran.seconds, 20, ran)
+        if not SANITIZED:
+            self.assertLess(ran.peak, 1200e6, ran)
+
+    def test_counts(self):
+        point = "3; 0.0;0.0;0.0;, 1.0;0.0;0.0;, 1.0;1.0;0.0;; 1; 3;0,1,2;;"
+        self.refused("vertices.x", "xof 0303txt 0032\nMesh m { 2000000000; 0.0;0.0;0.0;; }\n")
+        self.refused("weights.x", "xof 0303txt 0032\nMesh m { %s XSkinMeshHeader {1;1;1;} SkinWeights { \"b\"; 2000000000; 0; 1.0; } }\n" % point)
+        self.refused("frames.md5anim", 'MD5Version 10\ncommandline ""\nnumFrames 2000000000\nnumJoints 1\nframeRate 24\nnumAnimatedComponents 6\n')
+
+    def test_depth(self):
+        self.refused("deep.x", "xof 0303txt 0032\n" + "Frame a {" * 100000 + "}" * 100000)
+        self.refused("deep.dae", '<COLLADA version="1.4.1"><library_visual_scenes><visual_scene id="s">' + "<node>" * 100000 + "</node>" * 100000 +
+                     "</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene></COLLADA>")
+
+
 class Samples(Case):
     def test_stand_for_files(self):
         info = self.json("info", "sample:mannequin", "--json")

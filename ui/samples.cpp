@@ -76,8 +76,8 @@ const std::vector<Sample>& samples()
     static const std::vector<Sample> all{
         {"blossom", "Blossom", "A coarse star, rounded by Loop subdivision", blossom},
         {"pebble", "Pebble", "81,920 faces with fine folds, simplified to a tenth", pebble},
-        {"mannequin", "Mannequin", "A figure with a skeleton that walks: skin, weights and two motions", mannequin},
-        {"icosphere", "Icosphere", "A plain sphere of 1,280 triangles to try operations on", icosphere},
+        {"mannequin", "Mannequin", "A figure with skeleton and skin that walks and breathes", mannequin},
+        {"icosphere", "Icosphere", "A plain sphere of 1,280 triangles", icosphere},
     };
     return all;
 }

@@ -18,7 +18,8 @@ void overview(std::ostream& out)
         name.resize(std::max<size_t>(12, name.size() + 1), ' ');
         out << "  " << name << v.help << '\n';
     }
-    out << "\nExit status: 0 done, 1 could not, 2 wrong usage.\n";
+    out << "\nWhere a verb reads a file, sample:mannequin stands for a walking figure that the program makes itself.\nExit status: 0 done, 1 could "
+           "not, 2 wrong usage.\n";
 }
 
 }  // namespace

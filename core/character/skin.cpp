@@ -1,7 +1,6 @@
 #include "core/character/skin.h"
 
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
+#include <cmath>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -37,56 +36,89 @@ void addMorphs(const Mesh& mesh, const MeshPose& pose, const std::string& prefix
     }
 }
 
+/// Four floats that the processor treats as one: a column of a matrix.
+typedef float Column __attribute__((vector_size(16)));
+
+Column scaled(const Column& c, float k)
+{
+    return c * Column{k, k, k, k};
+}
+
+/// v' = x v.x + y v.y + z v.z + at.
+struct Move {
+    Column x{1, 0, 0, 0}, y{0, 1, 0, 0}, z{0, 0, 1, 0}, at{0, 0, 0, 1};
+    Column direction(const float* v) const { return scaled(x, v[0]) + scaled(y, v[1]) + scaled(z, v[2]); }
+};
+
+Move moveOf(const glm::mat4& m)
+{
+    const auto column = [&](int i) { return Column{m[i][0], m[i][1], m[i][2], m[i][3]}; };
+    return Move{column(0), column(1), column(2), column(3)};
+}
+
+Column cross(const Column& a, const Column& b)
+{
+    return Column{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0};
+}
+
+/// The inverse transpose but for a positive factor; there is one also where the inverse is not (a joint scaled flat).
+Move forNormals(const Move& m)
+{
+    Move n{cross(m.y, m.z), cross(m.z, m.x), cross(m.x, m.y), Column{}};
+    if (m.x[0] * n.x[0] + m.x[1] * n.x[1] + m.x[2] * n.x[2] < 0) n = Move{-n.x, -n.y, -n.z, n.at};
+    return n;
+}
+
 /// Blended matrices, a vertex at a time.
 class Blend {
 public:
-    Blend(const Mesh& mesh, const MeshPose& pose) : pose_(pose)
+    Blend(const Mesh& mesh, const MeshPose& pose)
     {
-        joints_ = mesh.find(names::joints, Domain::Vertex);
-        weights_ = mesh.find(names::weights, Domain::Vertex);
-        if (!joints_ || !weights_ || joints_->components != weights_->components || joints_->integers().empty() || weights_->floats().empty())
-            joints_ = weights_ = nullptr;
+        const Attribute *joints = mesh.find(names::joints, Domain::Vertex), *weights = mesh.find(names::weights, Domain::Vertex);
+        if (!joints || !weights || joints->components != weights->components) return;
+        joints_ = joints->integers();
+        weights_ = weights->floats();
+        slots_ = size_t(joints->components);
+        if (!joints_.empty() && !weights_.empty())
+            for (const glm::mat4& m : pose.joints) moves_.push_back(moveOf(m));
     }
-    explicit operator bool() const { return joints_ && !pose_.joints.empty(); }
+    explicit operator bool() const { return !moves_.empty(); }
 
-    glm::mat4 at(size_t vertex) const
+    Move at(size_t vertex) const
     {
-        const size_t k = size_t(joints_->components);
-        const int32_t* j = joints_->integers().data() + vertex * k;
-        const float* w = weights_->floats().data() + vertex * k;
-        glm::mat4 sum(0.f);
+        const int32_t* j = joints_.data() + vertex * slots_;
+        const float* w = weights_.data() + vertex * slots_;
+        Move sum{Column{}, Column{}, Column{}, Column{}};
         bool any = false;
-        for (size_t i = 0; i < k; ++i) {
+        for (size_t i = 0; i < slots_; ++i) {
             if (w[i] == 0) continue;
             any = true;
-            sum += w[i] * (size_t(j[i]) < pose_.joints.size() ? pose_.joints[size_t(j[i])] : glm::mat4(1.f));
+            const Move& m = size_t(j[i]) < moves_.size() ? moves_[size_t(j[i])] : still_;
+            sum.x += scaled(m.x, w[i]);
+            sum.y += scaled(m.y, w[i]);
+            sum.z += scaled(m.z, w[i]);
+            sum.at += scaled(m.at, w[i]);
         }
-        return any ? sum : glm::mat4(1.f);
+        return any ? sum : still_;
     }
 
 private:
-    const MeshPose& pose_;
-    const Attribute *joints_ = nullptr, *weights_ = nullptr;
+    std::span<const int32_t> joints_;
+    std::span<const float> weights_;
+    size_t slots_ = 0;
+    std::vector<Move> moves_;
+    const Move still_;
 };
 
-/// The inverse transpose but for a positive factor; there is one also where the inverse is not (a joint scaled flat).
-glm::mat3 normalMatrix(const glm::mat4& m)
+/// Directions stay unit; one that vanishes stays as it was.
+inline void turn(float* v, const Move& m)
 {
-    const glm::vec3 x(m[0]), y(m[1]), z(m[2]);
-    const glm::mat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
-    return glm::dot(x, cofactors[0]) < 0 ? -cofactors : cofactors;
-}
-
-glm::vec3 unitOr(const glm::vec3& v, const glm::vec3& otherwise)
-{
-    const float length = glm::length(v);
-    return length > 0 ? v / length : otherwise;
-}
-
-void turn(float* v, const glm::mat3& m)
-{
-    const glm::vec3 old(v[0], v[1], v[2]), now = unitOr(m * old, old);
-    for (int i = 0; i < 3; ++i) v[i] = now[i];
+    const Column d = m.direction(v);
+    const Column squares = d * d;
+    const float square = squares[0] + squares[1] + squares[2];
+    if (!(square > 0)) return;
+    const Column unit = scaled(d, 1 / std::sqrt(square));
+    for (int i = 0; i < 3; ++i) v[i] = unit[i];
 }
 
 /// Normals and tangents, at vertices or corners: morphed (normals), then turned by the matrix of their vertex.
@@ -96,14 +128,19 @@ Attribute turned(const Mesh& mesh, const Attribute& a, const MeshPose& pose, con
     Array<float> values(a.floats().begin(), a.floats().end());
     if (normal) addMorphs(mesh, pose, "morph-normal:", a.domain, values);
     const size_t k = size_t(a.components);
-    inParallel(a.size(), [&](size_t i) {
-        glm::mat3 m(1.f);
-        if (blend) {
-            const glm::mat4 b = blend.at(a.domain == Domain::Vertex ? i : mesh.cornerVertex()[i]);
-            m = normal ? normalMatrix(b) : glm::mat3(b);
-        }
-        turn(&values[i * k], m);
-    });
+    const auto moveAt = [&](size_t v) {
+        const Move m = blend.at(v);
+        return normal ? forNormals(m) : m;
+    };
+    if (!blend) {
+        inParallel(a.size(), [&, still = Move()](size_t i) { turn(&values[i * k], still); });
+    } else if (a.domain == Domain::Vertex) {
+        inParallel(a.size(), [&](size_t v) { turn(&values[v * k], moveAt(v)); });
+    } else {
+        Array<Move> moves(mesh.vertexCount());  // a vertex has several corners
+        inParallel(moves.size(), [&](size_t v) { moves[v] = moveAt(v); });
+        inParallel(a.size(), [&](size_t c) { turn(&values[c * k], moves[mesh.cornerVertex()[c]]); });
+    }
     Attribute out = a;
     out.values = Shared<float>(std::move(values));
     return out;
@@ -132,7 +169,12 @@ Mesh posed(const Mesh& rest, const MeshPose& pose)
     Array<glm::vec3> positions(rest.positions().begin(), rest.positions().end());
     if (!positions.empty()) addMorphs(rest, pose, std::string(names::morph), Domain::Vertex, {&positions[0].x, 3 * positions.size()});
     const Blend blend(rest, pose);
-    if (blend) inParallel(positions.size(), [&](size_t v) { positions[v] = glm::vec3(blend.at(v) * glm::vec4(positions[v], 1.f)); });
+    if (blend)
+        inParallel(positions.size(), [&](size_t v) {
+            const Move m = blend.at(v);
+            const Column p = m.direction(&positions[v].x) + m.at;
+            positions[v] = {p[0], p[1], p[2]};
+        });
     Mesh out = rest.withPositions(std::move(positions));
     for (const Attribute& a : rest.attributes())
         if (isTurned(a)) out = out.with(turned(rest, a, pose, blend));

@@ -80,13 +80,12 @@ void characters(MainWindow& w, const QString& folder, const QString& data)
     const struct {
         const char *file, *name;
         double part;  // of the clip
-        const char* joint;
         bool playing;
-    } all[] = {{"characters/cesium_man.gltf", "cesium", 0.3, "Skeleton_arm_joint_R__3_", false},
-               {"characters/pab_arnaud.fbx", "arnaud", 0.4, "", false},
-               {"characters/robot.glb", "robot", 0.5, "", true},
-               {"bvh/Dance.bvh", "dancer", 0.35, "", false},
-               {"gltf/AnimatedMorphCube/AnimatedMorphCube.gltf", "morph", 0.25, "", false}};
+    } all[] = {{"characters/cesium_man.gltf", "cesium", 0.3, false},
+               {"characters/pab_arnaud.fbx", "arnaud", 0.4, false},
+               {"characters/robot.glb", "robot", 0.5, true},
+               {"bvh/Dance.bvh", "dancer", 0.35, false},
+               {"gltf/AnimatedMorphCube/AnimatedMorphCube.gltf", "morph", 0.25, false}};
     w.workspaces().change("Character");
     for (const auto& one : all) {
         if (!QFile::exists(data + "/" + one.file)) continue;
@@ -94,14 +93,25 @@ void characters(MainWindow& w, const QString& folder, const QString& data)
         settle(w);
         Playback& play = *w.session().playback;
         play.setTime(one.part * play.end());
-        const Scene& scene = w.session().document.scene();
-        for (const NodeId id : scene.nodes())
-            if (scene.node(id).name == one.joint) w.session().document.select({{id}, {}, {}});
         w.viewport().frameAll(false);
         if (one.playing) play.play();
         settle(w);
         shoot(w, folder, one.name);
         play.pause();
+    }
+    for (const Sample& s : samples()) {
+        if (QString(s.id) != "mannequin") continue;
+        w.files().openScene(s.make(), "Open Mannequin");
+        w.session().playback->setTime(0.3 * w.session().playback->end());
+        const Scene& scene = w.session().document.scene();
+        std::vector<NodeId> joints;
+        for (const NodeId id : scene.nodes())
+            if (scene.node(id).joint == Node::Joint::Joint) joints.push_back(id);
+        if (joints.size() > 6) w.session().document.select({{joints[6]}, {}, {}});
+        settle(w);
+        w.viewport().frameAll(false);
+        settle(w);
+        shoot(w, folder, s.id);
     }
 }
 

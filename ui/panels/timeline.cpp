@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QStackedLayout>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <cmath>
 
 #include "ui/panels/empty_state.h"
@@ -63,7 +64,12 @@ public:
         tracks_ = new TimelineTracks(session_, page);
         box->addWidget(tracks_, 1);
         pages_ = new QStackedLayout(this);
-        pages_->addWidget(emptyStateLabel("Nothing moves yet. Open a file with clips (glTF, FBX, BVH), or drop one on the view.", this));
+        auto* nothing = new QWidget(this);
+        auto* sentence = new QVBoxLayout(nothing);
+        sentence->setContentsMargins(24, 24, 24, 24);
+        sentence->addWidget(emptyStateLabel("Nothing moves yet. Open a file with clips (glTF, FBX, BVH), or drop one on the view.", nothing));
+        sentence->addStretch(1);
+        pages_->addWidget(nothing);
         pages_->addWidget(page);
         installPlaybackShortcuts(session_, this);
         for (QDoubleSpinBox* f : {frame_, from_, to_})

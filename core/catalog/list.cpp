@@ -15,6 +15,7 @@
 #include "core/subdivide/subdivide_loop.h"
 #include "core/terrain/diamond_square.h"
 #include "core/terrain/perlin.h"
+#include "core/terrain/sinusoids.h"
 
 namespace mw {
 
@@ -93,6 +94,13 @@ std::span<const Operation> catalog()
                .steps = true,
                .source = "core/terrain/perlin.cpp"},
               perlin),
+        entry({.id = "sinusoids",
+               .title = "Sum of sine waves",
+               .section = "5.3",
+               .summary = "Even hills: sine waves of doubled frequency and halved height, added along both axes.",
+               .category = "Terrain",
+               .source = "core/terrain/sinusoids.cpp"},
+              sinusoids),
         entry<SampleCurve, Curve>({.id = "sample-curve",
                                    .title = "Sample curve",
                                    .section = "3.2",

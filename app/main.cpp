@@ -73,7 +73,8 @@ int main(int argc, char** argv)
     if (const mw::cli::Verb* verb = mw::cli::findVerb(first)) return mw::cli::runVerb(*verb, {argv + 2, size_t(argc - 2)});
     std::error_code ignored;
     const bool option = first.size() > 1 && first[0] == '-';
-    if (option || (!first.empty() && first.find_first_of("./") == first.npos && !std::filesystem::exists(first, ignored))) {
+    const bool sample = first.starts_with("sample:");
+    if (option || (!sample && !first.empty() && first.find_first_of("./") == first.npos && !std::filesystem::exists(first, ignored))) {
         std::cerr << "meshwright: '" << first << "' is " << (option ? "an unknown option" : "neither a verb nor a file") << "\n\n";
         overview(std::cerr);
         return 2;

@@ -14,7 +14,7 @@ namespace {
 constexpr glm::vec3 boneColor = hex(0xB4C2D0), jointColor = hex(0xE6ECF2), targetColor = hex(0xFF5FA2), curveColor = hex(0x6CB2FF);
 constexpr glm::vec3 axisColors[] = {hex(0xF0605A), hex(0x6FC36A), hex(0x5C9DF5)};
 constexpr glm::vec3 pathColors[] = {hex(0xFFB347), hex(0x31C6F0), hex(0x8FE36B), hex(0xD58CFF)};
-constexpr size_t mostPoints = 400;  // of a curve that are marked one by one
+constexpr size_t mostPoints = 100;  // of a curve or a path that are marked one by one
 
 struct Place {
     Frame& frame;
@@ -134,20 +134,26 @@ Mesh globe()
     return Mesh(std::move(points), Array<uint32_t>{0u}, Array<uint32_t>{}).withLines(std::move(lines));
 }
 
+/// One path over the sphere, and its samples where they can be told apart: their distances show the speed.
+void addPath(Place p, const Rotations::Path& path, glm::dvec3 axis, glm::vec4 color, float width)
+{
+    const std::vector<Rotations::Sample>& s = path.samples;
+    for (size_t i = 0; i + 1 < s.size(); ++i)
+        p.frame.points.push_back({p.world(s[i].orientation * axis), color, width, p.world(s[i + 1].orientation * axis)});
+    if (s.size() <= mostPoints)
+        for (const Rotations::Sample& one : s) p.frame.points.push_back({p.world(one.orientation * axis), color, width + 3, {}});
+    if (!s.empty()) p.frame.labels.push_back({p.world(s[s.size() / 2].orientation * axis * 1.06), path.name, color});
+}
+
 void add(Place p, const Rotations& r)
 {
+    constexpr float widths[] = {3, 7, 3};  // NLERP and SLERP go the same way: one shows under the other
     p.object(globe(), p.node).dimmed = true;
     const glm::dvec3 axis = tracedAxis(r);
     glm::dquat now = r.from;
     for (size_t k = 0; k < r.paths.size(); ++k) {
-        const glm::vec4 color(pathColors[k % std::size(pathColors)], 1);
-        const std::vector<Rotations::Sample>& s = r.paths[k].samples;
-        for (size_t i = 0; i + 1 < s.size(); ++i)
-            p.frame.points.push_back({p.world(s[i].orientation * axis), color, 3, p.world(s[i + 1].orientation * axis)});
-        if (!s.empty()) {
-            now = s.back().orientation;
-            p.frame.labels.push_back({p.world(s[s.size() / 2].orientation * axis * 1.06), r.paths[k].name, color});
-        }
+        addPath(p, r.paths[k], axis, glm::vec4(pathColors[k % std::size(pathColors)], 1), widths[k % std::size(widths)]);
+        if (!r.paths[k].samples.empty()) now = r.paths[k].samples.back().orientation;
     }
     for (int k = 0; k < 3; ++k) {
         glm::dvec3 body(0);

@@ -12,6 +12,8 @@
 #include "core/io/io.h"
 #include "ui/file_commands.h"
 #include "ui/stack_edits.h"
+#include "ui/steps/step_player.h"
+#include "ui/steps/step_subject.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport.h"
 
@@ -259,11 +261,11 @@ void Actions::makeCatalog()
                     };
                 });
             });
-        if (op.accepts == Kind::Mesh && op.steps)
-            stepThroughs << make("Step through: " + title, "step", "", summary, [this, &op] {
-                if (const MeshId m = edits::activeMesh(s_.document))
-                    s_.steps.open(op, s_.document.selection().active(), shownMesh(s_, m), checked(op.parameters, {}));
-            });
+        if (op.steps) {
+            auto* a = make("Step through: " + title, "step", "", summary, [this, &op] { stepThrough(s_, op); });
+            a->setData(QString::fromStdString(op.id));
+            stepThroughs << a;
+        }
     }
 }
 
@@ -323,7 +325,13 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
         m->addAction(a);
     }
     auto* steps = bar->addMenu("Steps");
-    steps->addActions(stepThroughs);
+    std::map<std::string, QMenu*> fields;
+    for (QAction* a : stepThroughs) {
+        const Operation& op = operation(a->data().toString().toStdString());
+        QMenu*& m = fields[op.category];
+        if (!m) m = steps->addMenu(QString::fromStdString(op.category));
+        m->addAction(a);
+    }
     *windowMenu = bar->addMenu("Window");
     *helpMenu = bar->addMenu("Help");
 }
@@ -354,7 +362,13 @@ void Actions::refresh()
     const bool any = !d.selection().nodes.empty();
     const bool mesh = edits::activeMesh(d).value != 0;
     for (QAction* a : {remove, rename, hide, hideOthers}) a->setEnabled(any);
-    for (QAction* a : addModifiers + stepThroughs) a->setEnabled(mesh);
+    for (QAction* a : addModifiers) a->setEnabled(mesh);
+    for (QAction* a : stepThroughs) {
+        const Operation& op = operation(a->data().toString().toStdString());
+        const QString whyNot = whyNotSteppable(s_, op);
+        a->setEnabled(whyNot.isEmpty());
+        a->setToolTip(whyNot.isEmpty() ? QString::fromStdString(op.summary) : whyNot);
+    }
     for (const auto& [a, flag] : flags_) a->setChecked(s_.view.options.*flag);
     perspective->setChecked(s_.view.camera.perspective);
     bones->setChecked(s_.view.showBones);

@@ -214,14 +214,14 @@ Frame plane()
     return f;
 }
 
-/// Values of any kind in a row, each `width` wide, with a line of text below.
-void putValue(Frame& f, const Value& value, size_t place, double width, const std::string& text, const StepRecord* step = nullptr)
+/// Values of any kind in a row, each `width` wide, with a line of text `below` their origin.
+void putValue(Frame& f, const Value& value, size_t place, double width, double below, const std::string& text, const StepRecord* step = nullptr)
 {
     const glm::dmat4 at = glm::translate(glm::dmat4(1), glm::dvec3(width * double(place), 0, 0));
     const NodeId node{uint32_t(place + 1)};
     addValue(f, value, node, at);
     if (step) addFocus(f, *step, value, node, at);
-    if (!text.empty()) f.labels.push_back({glm::vec3(width * double(place), -0.6 * width, 0), text, glm::vec4(0.9, 0.91, 0.92, 1)});
+    if (!text.empty()) f.labels.push_back({glm::vec3(width * double(place), -below, 0), text, glm::vec4(0.9, 0.91, 0.92, 1)});
 }
 
 Value any(std::string_view id, const char* parameters, const Value& input = {})
@@ -235,7 +235,7 @@ Frame sampleCurves()
     Frame f = plane();
     const char* shapes[] = {"zigzag", "wave", "star", "spiral", "letter"};
     for (size_t i = 0; i < std::size(shapes); ++i)
-        putValue(f, any("sample-curve", ("points=14,shape=" + std::string(shapes[i])).c_str()), i, 2.6, shapes[i]);
+        putValue(f, any("sample-curve", ("points=14,shape=" + std::string(shapes[i])).c_str()), i, 2.6, 1.3, shapes[i]);
     return f;
 }
 
@@ -245,7 +245,7 @@ Frame curves()
     const Value polygon = any("sample-curve", "shape=star,points=10");
     const char* schemes[] = {"four-point", "positive", "b-spline"};
     for (size_t i = 0; i < std::size(schemes); ++i)
-        putValue(f, any("subdivide-curve", ("levels=5,scheme=" + std::string(schemes[i])).c_str(), polygon), i, 2.6, schemes[i]);
+        putValue(f, any("subdivide-curve", ("levels=5,scheme=" + std::string(schemes[i])).c_str(), polygon), i, 2.6, 1.3, schemes[i]);
     return f;
 }
 
@@ -263,13 +263,13 @@ Frame solving(const char* solver, const char* phase)
 {
     Frame f = plane();
     const Value chain = any("joint-chain", "links=5,lengths=0.8,angles=75 -35,target=2/0.9/0");
-    putValue(f, chain, 0, 3.6, "Begin");
+    putValue(f, chain, 0, 3.6, 0.3, "Begin");
     if (solver) {
         const Operation& op = operation(solver);
         Stepper stepper(stepping(op, chain, {}));
         stepper.seekWhere([&, n = 0](const StepRecord& r) mutable { return r.phase == phase && ++n == 3; });
-        putValue(f, valueOf(stepper.value()), 1, 3.6, "Step " + std::to_string(stepper.step().index), &stepper.step());
-        putValue(f, any(solver, "", chain), 2, 3.6, "End");
+        putValue(f, valueOf(stepper.value()), 1, 3.6, 0.3, "Step " + std::to_string(stepper.step().index), &stepper.step());
+        putValue(f, any(solver, "", chain), 2, 3.6, 0.3, "End");
     }
     return f;
 }

@@ -6,7 +6,9 @@
 
 #include "app/cli/operation_call.h"
 #include "app/cli/output.h"
+#include "app/cli/subject.h"
 #include "app/cli/table_file.h"
+#include "app/cli/value_file.h"
 #include "app/cli/verb.h"
 #include "core/io/io.h"
 
@@ -17,33 +19,32 @@ namespace {
 struct Job {
     std::string in, out;
     std::vector<OperationCall> calls;
+    std::optional<std::string> object;
     bool project = false, ascii = false;
     bool query() const { return !calls.empty() && calls.back().operation->yields != Kind::Mesh; }
 };
 
-bool tableEnding(const std::string& file)
+Kind firstKind(const Job& job)
 {
-    std::string e = std::filesystem::path(file).extension().string();
-    std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return e == ".csv" || e == ".json";
+    if (job.calls.empty()) return Kind::Mesh;
+    const Operation& first = *job.calls.front().operation;
+    return first.accepts == Kind::Nothing ? first.yields : first.accepts;
 }
 
 // Whatever can be said before a large file is read.
 void check(const Job& job)
 {
+    Kind kind = firstKind(job);
     for (size_t i = 0; i < job.calls.size(); ++i) {
         const Operation& op = *job.calls[i].operation;
-        const bool last = i + 1 == job.calls.size();
         if (i > 0 && op.accepts == Kind::Nothing) throw Error(op.id + " is a source: it must be the first operation, with - as input");
-        if (op.accepts != Kind::Nothing && op.accepts != Kind::Mesh) throw Error(op.id + " works on " + kindName(op.accepts) + ", not on a mesh");
-        if (op.yields != Kind::Mesh && !last) throw Error(op.id + " gives a " + kindName(op.yields) + ": it must be the last operation");
+        if (kind == Kind::Table || kind == Kind::Selection)
+            throw Error(job.calls[i - 1].operation->id + " gives a " + kindName(kind) + ": it must be the last operation");
+        if (op.accepts != Kind::Nothing && op.accepts != kind)
+            throw Error(op.id + " works on " + kindName(op.accepts) + ", not on a " + kindName(kind));
+        kind = op.yields;
     }
-    if (job.query() && !tableEnding(job.out))
-        throw Error(job.out,
-                    job.calls.back().operation->id + " gives a " + kindName(job.calls.back().operation->yields) + "; name a .csv or .json file");
-    if (!job.query() && tableEnding(job.out))
-        throw Error(job.out,
-                    "a mesh cannot be written as this; end with an operation that gives a table (as vertex-valence), or name a .glb, .obj or .ply");
+    checkValueFile(kind, job.out);
 }
 
 // The mesh operations on one object: its mesh after them; with `project` they become modifiers of its stack instead.
@@ -122,21 +123,45 @@ int work(const Job& job)
     return 0;
 }
 
+// Curves, poses, height maps, rotations: one value, not objects of a scene.
+int workOnValue(const Job& job)
+{
+    std::vector<Warning> lost;
+    Value value;
+    {
+        Working working("reading " + job.in);
+        value = subjectOf(job.in, job.calls.front(), job.object, working.progress());
+        for (const OperationCall& call : job.calls) {
+            working.now(call.operation->id);
+            value = apply(*call.operation, value, call.values, working.progress());
+        }
+        working.now("writing " + job.out);
+        lost = writeValueFile(job.out, job.calls.back().operation->id, value, working.progress());
+    }
+    warn(job.out, lost);
+    std::cout << job.out << ": " << summaryOf(value) << '\n';
+    return 0;
+}
+
 int run(Arguments& arguments)
 {
     Job job;
     const std::vector<std::string> ops = arguments.values("--op");
     const std::optional<std::string> out = arguments.value("--output", "-o");
+    job.object = arguments.value("--object");
     job.project = arguments.flag("--project");
     job.ascii = arguments.flag("--ascii");
     job.in = arguments.finish({"IN"})[0];
     if (!out || out->empty()) throw UsageError("-o OUT is missing");
     job.out = *out;
     for (const std::string& op : ops) job.calls.push_back(parseCall(op));
+    if (job.in != "-" && !job.calls.empty() && job.calls.front().operation->accepts == Kind::Nothing && firstKind(job) != Kind::Mesh)
+        throw Error(job.in,
+                    job.calls.front().operation->id + " makes a " + kindName(firstKind(job)) + " from nothing and takes no file; give - as input");
     if (job.in == "-" && job.calls.empty()) throw UsageError("the input - wants a source: --op icosphere");
     check(job);
     try {
-        return work(job);
+        return firstKind(job) == Kind::Mesh ? work(job) : workOnValue(job);
     } catch (const Error& e) {
         // What an operation says names no file: it is the input's.
         if (!e.file().empty() || job.in == "-") throw;
@@ -148,14 +173,18 @@ int run(Arguments& arguments)
 
 const Verb processVerb{
     "process", "operations in turn, the result into a file",
-    "process IN [--op ID[:k=v,...]]... -o OUT [--project] [--ascii]\n\n"
-    "Each operation works on every mesh of IN; hierarchy and materials stay. IN may be - when the first operation makes a mesh from\n"
+    "process IN [--op ID[:k=v,...]]... -o OUT [--project] [--ascii] [--object NAME]\n\n"
+    "Each operation works on every mesh of IN; hierarchy and materials stay. IN may be - when the first operation makes something from\n"
     "nothing. OUT is written by its ending (.glb .gltf .obj .ply); an operation that gives a table comes last and goes to .csv or .json.\n"
+    "Other kinds are one value: a skeleton of a character, a curve from .csv, a height map from .png. Height maps go to .png or as the mesh of\n"
+    "a terrain to .glb; curves, poses and rotations to .json or .csv.\n"
     "The verb algorithms lists operations and parameters.\n"
     "  --project   glTF: keep the operations as modifiers that can still be changed\n"
-    "  --ascii     PLY: as text\n\n"
+    "  --ascii     PLY: as text\n"
+    "  --object NAME   which skeleton, by its topmost joint, when the file has several\n\n"
     "  meshwright process scan.ply --op weld --op decimate-quadric:ratio=0.1 -o small.glb\n"
-    "  meshwright process - --op icosphere --op vertex-valence -o valence.csv\n",
+    "  meshwright process - --op icosphere --op vertex-valence -o valence.csv\n"
+    "  meshwright process - --op sample-curve:shape=star --op subdivide-curve -o star.csv\n",
     run};
 
 }  // namespace mw::cli

@@ -4,7 +4,10 @@
 
 #include "app/cli/operation_call.h"
 #include "app/cli/output.h"
+#include "app/cli/subject.h"
+#include "app/cli/value_file.h"
 #include "app/cli/verb.h"
+#include "core/catalog/lesson.h"
 #include "core/steps/stepper.h"
 
 namespace mw::cli {
@@ -92,29 +95,22 @@ void printStepText(const Operation& op, const StepRecord& r)
 
 void printEnd(const Run& run, size_t steps)
 {
-    const Value result = valueOf(run.snapshot());
-    std::cout << "end after " << counted(steps, "step");
-    if (const auto* m = std::get_if<Mesh>(&result))
-        std::cout << ": " << counted(m->vertexCount(), "vertex", "vertices") << ", " << counted(m->faceCount(), "face");
-    std::cout << '\n';
+    std::cout << "end after " << counted(steps, "step") << ": " << summaryOf(valueOf(run.snapshot())) << '\n';
 }
 
-// The value that is stepped: nothing for a source, else one mesh of the file.
-Value subject(const std::string& in, const OperationCall& call, const std::optional<std::string>& object)
+// The lesson's own parameters where its subject is taken; those given come first.
+ParameterValues valuesFor(const OperationCall& call, const std::string& in)
 {
-    if (call.operation->accepts == Kind::Nothing && in == "-") return {};
+    const Lesson* lesson = in == "-" ? findLesson(call.operation->id) : nullptr;
+    ParameterValues values = call.values;
+    if (lesson) values.merge(parsed(call.operation->parameters, lesson->scene.parameters));
+    return values;
+}
+
+Value read(const std::string& in, const OperationCall& call, const std::optional<std::string>& object)
+{
     Working working("reading " + in);
-    const Input input = readInput(in, call, working.progress());
-    const std::vector<MeshId> meshes = input.scene.meshes();
-    if (meshes.empty()) throw Error(in, "there is no mesh in it");
-    std::string names;
-    for (MeshId id : meshes) {
-        const MeshObject& o = *input.scene.find(id);
-        if (object ? o.name == *object : meshes.size() == 1) return evaluated(o, working.progress());
-        names += (names.empty() ? "" : ", ") + o.name;
-    }
-    throw Error(in,
-                object ? "there is no mesh \"" + *object + "\"; there are: " + names : "there are several meshes; choose by --object NAME: " + names);
+    return subjectOf(in, call, object, working.progress());
 }
 
 int run(Arguments& arguments)
@@ -125,8 +121,10 @@ int run(Arguments& arguments)
     const std::string in = arguments.finish({"IN"})[0];
     if (!op) throw UsageError("--op ID is missing");
     const OperationCall call = parseCall(*op);
-    const Value value = subject(in, call, object);
-    const std::unique_ptr<Run> steps = stepping(*call.operation, value, call.values)(true);
+    if (in != "-" && call.operation->accepts == Kind::Nothing)
+        throw Error(in, call.operation->id + " makes something from nothing and takes no file; give - as input");
+    const Value value = read(in, call, object);
+    const std::unique_ptr<Run> steps = stepping(*call.operation, value, valuesFor(call, in))(true);
     size_t n = 0;
     while (!until || n < size_t(*until)) {
         if (!steps->advance()) {
@@ -145,12 +143,15 @@ int run(Arguments& arguments)
 
 }  // namespace
 
-const Verb stepVerb{"step", "an operation one step at a time",
-                    "step IN --op ID[:k=v,...] [--until N] [--object NAME] [--json]\n\n"
-                    "One line a step: phase, numbers, elements in focus, and the line of source that runs. IN may be - for a source.\n"
-                    "  --until N       stop after N steps\n"
-                    "  --object NAME   which mesh, when the file has several\n"
-                    "  --json          one JSON object a line: step, phase, focus, numbers, progress, file, line\n",
-                    run};
+const Verb stepVerb{
+    "step", "an operation one step at a time",
+    "step IN --op ID[:k=v,...] [--until N] [--object NAME] [--json]\n\n"
+    "One line a step: phase, numbers, elements in focus, and the line of source that runs. IN is what the operation works on: a mesh,\n"
+    "a character (its skeleton at rest), a curve (.csv of x,y or x,y,z), a height map (.png). It may be - for a source, or for what\n"
+    "the operation's lesson is tried on.\n"
+    "  --until N       stop after N steps\n"
+    "  --object NAME   which mesh, or which skeleton by its topmost joint, when the file has several\n"
+    "  --json          one JSON object a line: step, phase, focus, numbers, progress, file, line\n",
+    run};
 
 }  // namespace mw::cli

@@ -13,11 +13,11 @@ namespace mw::cli {
 std::span<const Verb> verbs()
 {
     static const std::vector<Verb> table{
-        infoVerb,    algorithmsVerb, processVerb, stepVerb, convertVerb,
+        infoVerb,   algorithmsVerb, processVerb, stepVerb,    convertVerb,
 #ifdef MESHWRIGHT_HAS_RENDER
-        renderVerb,  galleryVerb,
+        renderVerb, galleryVerb,
 #endif
-        poseVerb,    terrainVerb,   lessonsVerb,
+        ikVerb,     poseVerb,       terrainVerb, lessonsVerb,
     };
     return table;
 }

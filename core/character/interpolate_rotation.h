@@ -11,7 +11,7 @@ namespace mw {
 struct InterpolateRotation {
     enum class Order { Xyz, Xzy, Yxz, Yzx, Zxy, Zyx };
 
-    glm::dvec3 from{-70, 15, -60}, to{75, 60, 110};
+    glm::dvec3 from{0, 0, 0}, to{170, 80, -120};
     Order order = Order::Zyx;
     int64_t samples = 24;
     bool shorter = true;

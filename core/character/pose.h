@@ -37,8 +37,10 @@ struct Pose {
 };
 std::vector<glm::dmat4> worldMatrices(const Pose& p);
 std::vector<glm::dvec3> jointPlaces(const Pose& p);
-/// The joint of that name, or "#INDEX". Throws Error that lists what is near.
+/// The joint of that name, or "#INDEX": joints first, as listings of a file number them, then end sites. Throws Error that lists what is near.
 uint32_t jointOf(const Skeleton& s, std::string_view name);
+/// What jointOf() finds this joint by: its name, or its number where others have that name.
+std::string calledBy(const Skeleton& s, uint32_t joint);
 size_t byteSize(const Pose& p);
 uint64_t contentHash(const Pose& p);
 

@@ -78,6 +78,56 @@ class Process(Case):
         self.assertIn("after 1 modifier", self.ok("info", out).out)
 
 
+class OtherKinds(Case):
+    def test_curves(self):
+        out = self.folder / "c.csv"
+        self.ok("process", "-", "--op", "sample-curve:given=0,0 1,1 2,0 3,1", "--op", "subdivide-curve:levels=1", "-o", out)
+        lines = out.read_text().splitlines()
+        self.assertEqual(lines[0], "x,y,z")
+        self.assertEqual(len(lines), 1 + 7)
+        x, y, _ = map(float, lines[1 + 3].split(","))  # between the second and the third: -1/16, 9/16, 9/16, -1/16
+        self.assertAlmostEqual(x, 1.5)
+        self.assertAlmostEqual(y, (-0 + 9 * 1 + 9 * 0 - 1) / 16)
+        again = self.folder / "d.json"
+        self.ok("process", out, "--op", "subdivide-curve:levels=2,scheme=b-spline", "-o", again)
+        curve = json.loads(again.read_text())
+        self.assertEqual((curve["kind"], len(curve["points"]), len(curve["control"])), ("curve", 25, 7))
+        self.ok("process", out, "--op", "subdivide-curve", "-o", self.folder / "lines.obj")
+
+    def test_poses(self):
+        out = self.folder / "p.json"
+        ran = self.ok("process", "-", "--op", "joint-chain:links=3,target=1.5/1/0", "--op", "fabrik:tolerance=1e-6", "-o", out)
+        self.assertIn("from its target", ran.out)
+        pose = json.loads(out.read_text())
+        places = [j["place"] for j in pose["joints"]]
+        for a, b in zip(places, places[1:]):
+            self.assertAlmostEqual(math.dist(a, b), 1, 6)
+        self.assertLess(math.dist(places[-1], (1.5, 1, 0)), 1e-6)
+        table = self.folder / "p.csv"
+        self.ok("process", "-", "--op", "joint-chain", "-o", table)
+        self.assertEqual(len(table.read_text().splitlines()), 1 + 5)
+
+    def test_rotations(self):
+        out = self.folder / "r.csv"
+        self.ok("process", "-", "--op", "interpolate-rotation:samples=5", "-o", out)
+        rows = out.read_text().splitlines()
+        self.assertEqual(len(rows), 1 + 15)
+        self.assertEqual({len(r.split(",")) for r in rows}, {9})
+
+    def test_height_maps(self):
+        out = self.folder / "h.png"
+        self.ok("process", "-", "--op", "diamond-square:size=33", "-o", out)
+        head = out.read_bytes()[:26]
+        self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual((int.from_bytes(head[16:20], "big"), head[24], head[25]), (33, 16, 0), "16 bits, grey")
+
+    def test_refusals(self):
+        self.fails("process", "-", "--op", "joint-chain", "-o", self.folder / "p.glb", says=".json or .csv")
+        self.fails("process", "-", "--op", "sample-curve", "--op", "weld", "-o", self.folder / "c.csv", says="not on a curve")
+        self.fails("process", "-", "--op", "diamond-square:size=33", "-o", self.folder / "h.csv", says=".png")
+        self.fails("process", self.write("c.csv", "1,2\n2,3\n"), "--op", "sample-curve", "-o", self.folder / "d.csv", says="give - as input")
+
+
 @needs_data
 class RealFiles(Case):
     def test_scan_to_a_tenth(self):

@@ -35,9 +35,28 @@ class Step(Case):
     def test_every_operation_with_steps(self):
         sphere = self.source("s.ply", "icosphere:subdivisions=1")
         for a in self.json("algorithms", "--json")["algorithms"]:
-            if a["steps"] and a["accepts"] in ("mesh", "nothing"):
+            if a["steps"]:
                 with self.subTest(a["id"]):
                     self.check(self.lines(sphere if a["accepts"] == "mesh" else "-", "--op", a["id"], "--until", "50"))
+
+    def test_every_kind(self):
+        """Poses, curves and rotations are stepped; what they say is what the algorithm did."""
+        for solver in ("ccd", "fabrik"):
+            lines = self.lines("-", "--op", solver)
+            self.check(lines)
+            self.assertLess(lines[-1]["numbers"]["error"], 1e-3)
+            self.assertTrue(any(f["kind"] == "joint" for s in lines for f in s["focus"]))
+        errors = [s["numbers"]["error"] for s in self.lines("-", "--op", "ccd")]
+        self.assertTrue(all(b <= a + 1e-12 for a, b in zip(errors, errors[1:])))
+        polygon = self.write("p.csv", "x,y\n0,0\n1,2\n3,1\n4,0\n")
+        lines = self.lines(polygon, "--op", "subdivide-curve:levels=2")
+        self.check(lines)
+        self.assertEqual([s["phase"] for s in lines].count("insert"), 3 + 6)
+        lines = self.lines("-", "--op", "interpolate-rotation:samples=11")
+        speeds = [s["numbers"]["speed"] for s in lines if s["phase"] == "slerp"]
+        self.assertAlmostEqual(min(speeds), max(speeds), 4)
+        self.check(self.lines("-", "--op", "diamond-square:size=9"))
+        self.assertIn("from its target", self.ok("step", "-", "--op", "ccd").out)
 
     def test_until(self):
         sphere = self.source("s.ply", "icosphere:subdivisions=2")
@@ -54,7 +73,12 @@ class Step(Case):
         sphere = self.source("s.ply", "icosphere:subdivisions=1")
         self.fails("step", sphere, "--op", "subdivide-lop", says="subdivide-loop")
         self.fails("step", sphere, "--op", "subdivide-loop:levels=77", says="levels=77")
-        self.fails("step", "-", "--op", "subdivide-loop", says="source")
+        self.fails("step", "-", "--op", "weld", says="source")
+        self.fails("step", sphere, "--op", "fabrik", says="no skeleton")
+        self.fails("step", sphere, "--op", "diamond-square", says="give - as input")
+        self.fails("step", self.write("bad.csv", "1,2\n3,x\n"), "--op", "subdivide-curve", says="line 2")
+        self.fails("step", self.write("none.csv", "x,y\n"), "--op", "subdivide-curve", says="no point")
+        self.fails("step", "-", "--op", "fabrik:effector=nose", says="joint 0")
 
 
 @needs_data

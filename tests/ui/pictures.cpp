@@ -1,4 +1,5 @@
-// Saves pictures of the window in its typical states into the folder MESHWRIGHT_PICTURES, to be looked at beside the design.
+// Saves pictures of the window in its typical states into the folder MESHWRIGHT_PICTURES, to be looked at beside the design. An
+// argument, "characters" or "steps", asks for those alone.
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
@@ -12,6 +13,7 @@
 #include "ui/playback.h"
 #include "ui/samples.h"
 #include "ui/stack_edits.h"
+#include "ui/steps/step_player.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport.h"
 #include "ui/workspaces.h"
@@ -115,6 +117,33 @@ void characters(MainWindow& w, const QString& folder, const QString& data)
     }
 }
 
+// Labs, and a solver on a character's arm.
+void stepTour(MainWindow& w, const QString& folder, const QString& character)
+{
+    for (const char* id : {"fabrik", "ccd", "subdivide-curve", "interpolate-rotation", "diamond-square"}) {
+        w.session().document.select({});
+        stepThrough(w.session(), operation(id));
+        settle(w);
+        w.session().steps.seek(id == std::string("interpolate-rotation") ? 60 : id == std::string("diamond-square") ? 300 : 8);
+        settle(w);
+        shoot(w, folder, QString("lab-%1").arg(id));
+    }
+    w.session().steps.close();
+    settle(w);
+    shoot(w, folder, "lab-closed");
+    if (character.isEmpty()) return;
+    w.files().open(character);
+    settle(w);
+    w.session().document.select({{w.session().document.scene().roots().front()}, {}, {}});
+    stepThrough(w.session(), operation("ccd"));
+    settle(w);
+    w.session().steps.seek(5);
+    settle(w);
+    shoot(w, folder, "character-ccd");
+    w.session().steps.close();
+    w.workspaces().change("Mesh");
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -126,13 +155,17 @@ int main(int argc, char** argv)
     dressApplication(app);
     QString dragon = qEnvironmentVariable("MESHWRIGHT_DATA") + "/meshes/large/dragon_871k.ply";
     if (!QFile::exists(dragon)) dragon.clear();
+    QString character = qEnvironmentVariable("MESHWRIGHT_DATA") + "/characters/cesium_man.gltf";
+    if (!QFile::exists(character)) character.clear();
     for (const QSize& size : {QSize(1600, 1000), QSize(1280, 800)}) {
         MainWindow w;
         w.resize(size);
         w.show();
         if (!QTest::qWaitForWindowExposed(&w)) return 1;
-        if (!QString(argc > 1 ? argv[1] : "").startsWith("character")) tour(w, folder, dragon);
-        characters(w, folder, qEnvironmentVariable("MESHWRIGHT_DATA"));
+        const QString only = argc > 1 ? argv[1] : "";  // "characters" or "steps"
+        if (only.isEmpty()) tour(w, folder, dragon);
+        if (!only.startsWith("step")) characters(w, folder, qEnvironmentVariable("MESHWRIGHT_DATA"));
+        if (!only.startsWith("character")) stepTour(w, folder, character);
         if (argc > 1) continue;
         if (size.width() == 1600) {
             applyTheme(app, Theme::Light);

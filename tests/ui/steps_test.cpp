@@ -19,6 +19,7 @@
 #include "ui/steps/step_history.h"
 #include "ui/steps/step_lists.h"
 #include "ui/steps/step_player.h"
+#include "ui/steps/step_subject.h"
 #include "ui/steps/transport_strip.h"
 
 using namespace mw;
@@ -112,6 +113,10 @@ private slots:
     void parametersStartAgain();
     void theSourceFollowsTheRunningLine();
     void thePlotHasTheSeries();
+    void everyKindIsSteppedInALab();
+    void aCharacterFollowsItsPose();
+    void whatIsKeptIsAClip();
+    void anAlgorithmSaysWhyItCannotRun();
 };
 
 void StepsTest::forthAndBackGiveTheSameState()
@@ -426,6 +431,116 @@ void StepsTest::thePlotHasTheSeries()
     QCOMPARE(lines[1], QByteArray("2,0.25,"));
     QCOMPARE(lines.size(), qsizetype(2 * rounds + 2));
     QVERIFY(panel->findChild<QWidget*>("plot")->isVisible());
+}
+
+namespace {
+
+// hip - spine - two arms of three joints each
+void addCharacter(Desk& d)
+{
+    Scene scene = d.document.scene();
+    const auto joint = [&](const char* name, NodeId parent, glm::dvec3 at) {
+        Node n;
+        n.name = name;
+        n.joint = Node::Joint::Joint;
+        n.local.translation = at;
+        return scene.add(n, parent);
+    };
+    const NodeId hip = joint("hip", {}, {0, 1, 0}), spine = joint("spine", hip, {0, 0.5, 0});
+    for (const double side : {-1.0, 1.0}) {
+        const NodeId arm = joint(side < 0 ? "right arm" : "left arm", spine, {0.2 * side, 0, 0});
+        const NodeId elbow = joint(side < 0 ? "right elbow" : "left elbow", arm, {0.3 * side, 0, 0});
+        joint(side < 0 ? "right hand" : "left hand", elbow, {0.3 * side, 0, 0});
+    }
+    d.document.commit("Add a character", scene, {{hip}, {}, {}});
+}
+
+NodeId called(const Scene& scene, const std::string& name)
+{
+    for (const NodeId id : scene.nodes())
+        if (scene.node(id).name == name) return id;
+    return {};
+}
+
+}  // namespace
+
+void StepsTest::everyKindIsSteppedInALab()
+{
+    Desk d;
+    d.document.select({});
+    const size_t entries = d.document.history().size();
+    for (const char* id : {"fabrik", "ccd", "subdivide-curve", "interpolate-rotation", "diamond-square"}) {
+        const Operation& op = operation(id);
+        QVERIFY2(stepThrough(d.session, op), id);
+        QVERIFY(d.steps.isOpen() && !d.steps.node());
+        d.steps.seek(3);
+        QTRY_COMPARE(d.steps.position(), size_t(3));
+        QCOMPARE(kindOf(*d.steps.value()), op.yields);
+        d.steps.last();
+        QTRY_VERIFY_WITH_TIMEOUT(d.steps.atEnd(), 20000);
+        QVERIFY(d.steps.error().isEmpty());
+        QVERIFY(!d.steps.isOfCharacter());
+        QVERIFY(!d.steps.keepAsClip());
+    }
+    d.steps.close();
+    QCOMPARE(d.document.history().size(), entries);
+}
+
+void StepsTest::aCharacterFollowsItsPose()
+{
+    Desk d;
+    addCharacter(d);
+    QVERIFY(stepThrough(d.session, operation("ccd")));
+    QCOMPARE(d.steps.node(), called(d.document.scene(), "hip"));
+    QCOMPARE(std::get<std::string>(d.steps.values().at("effector")), std::string("right hand"));
+    d.steps.last();
+    QTRY_VERIFY(d.steps.atEnd());
+    const ScenePose pose = shownPose(d.session, {});
+    const auto worlds = worldMatrices(d.document.scene(), pose);
+    const glm::dvec3 hand(worlds.at(called(d.document.scene(), "right hand"))[3]);
+    QVERIFY(glm::distance(hand, std::get<glm::dvec3>(d.steps.values().at("target"))) < 2e-3);
+    // A selected joint is the one that reaches; what is not in the chain stays.
+    d.document.select({{called(d.document.scene(), "left elbow")}, {}, {}});
+    QVERIFY(stepThrough(d.session, operation("fabrik")));
+    QCOMPARE(std::get<std::string>(d.steps.values().at("effector")), std::string("left elbow"));
+    d.steps.close();
+    QVERIFY(shownPose(d.session, {}).locals.empty());
+}
+
+void StepsTest::whatIsKeptIsAClip()
+{
+    Desk d;
+    addCharacter(d);
+    QVERIFY(stepThrough(d.session, operation("fabrik")));
+    std::unique_ptr<QWidget> strip(makeTransportStrip(d.session, nullptr));
+    strip->show();
+    d.steps.last();
+    QTRY_VERIFY(d.steps.atEnd());
+    const Pose solution = std::get<Pose>(*d.steps.value());
+    auto* keep = strip->findChild<QPushButton*>("transport-keep");
+    QVERIFY(keep && keep->isVisibleTo(strip.get()));
+    QTest::mouseClick(keep, Qt::LeftButton);
+    QVERIFY(!d.steps.isOpen());
+    const Scene& scene = d.document.scene();
+    QCOMPARE(scene.clips().size(), size_t(1));
+    QCOMPARE(d.view.clip, scene.clips().front());
+    const Clip& clip = *scene.find(scene.clips().front());
+    QCOMPARE(duration(clip), 1.0);
+    const Pose end = poseOf(scene, called(scene, "hip"), poseAt(scene, clip, 1));
+    for (size_t i = 0; i < end.size(); ++i) QVERIFY(glm::distance(jointPlaces(end)[i], jointPlaces(solution)[i]) < 1e-6);
+    d.document.undo();
+    QVERIFY(d.document.scene().clips().empty());
+}
+
+void StepsTest::anAlgorithmSaysWhyItCannotRun()
+{
+    Desk d;
+    QVERIFY(whyNotSteppable(d.session, operation("smooth")).isEmpty());
+    d.document.select({});
+    QVERIFY(!whyNotSteppable(d.session, operation("smooth")).isEmpty());
+    QVERIFY(!stepThrough(d.session, operation("smooth")));
+    QVERIFY(!d.steps.isOpen());
+    QVERIFY(whyNotSteppable(d.session, operation("fabrik")).isEmpty());
 }
 
 QTEST_MAIN(StepsTest)

@@ -18,6 +18,7 @@
 #include "ui/parameter_form.h"
 #include "ui/samples.h"
 #include "ui/stack_edits.h"
+#include "ui/steps/step_player.h"
 #include "ui/viewport/viewport.h"
 #include "ui/workspaces.h"
 
@@ -86,6 +87,38 @@ private slots:
         QCOMPARE(document().snapshot(), before);
         QVERIFY(w_->banner().isVisible());
         QVERIFY(w_->banner().text().contains("broken.ply"));
+    }
+
+    void aLabHidesTheSceneAndGivesItBack()
+    {
+        openSphere();
+        w_->session().view.camera.azimuth = 1.1;
+        const Camera before = w_->session().view.camera;
+        const auto scene = document().snapshot();
+        document().select({});
+        QVERIFY(stepThrough(w_->session(), operation("fabrik")));
+        w_->session().steps.seek(4);
+        QTRY_COMPARE(w_->session().steps.position(), size_t(4));
+        QVERIFY(w_->viewport().frame().objects.empty());
+        QVERIFY(w_->viewport().frame().bones.size() >= 4);
+        QVERIFY(!w_->session().view.camera.perspective);  // it lies in a plane
+        const glm::dvec2 size(w_->viewport().width(), w_->viewport().height());
+        for (const DrawBone& b : w_->viewport().frame().bones) {
+            const glm::dvec3 at = w_->session().view.camera.project(glm::dvec3(b.tail), size);
+            QVERIFY(at.x > 0 && at.y > 0 && at.x < size.x && at.y < size.y);
+        }
+        w_->viewport().click({size.x / 2, size.y / 2}, {});
+        QVERIFY(document().selection().nodes.empty());
+        QVERIFY(stepThrough(w_->session(), operation("interpolate-rotation")));
+        QVERIFY(w_->session().view.camera.perspective);
+        w_->session().steps.close();
+        const Camera& after = w_->session().view.camera;
+        QCOMPARE(after.azimuth, before.azimuth);
+        QCOMPARE(after.distance, before.distance);
+        QCOMPARE(after.perspective, before.perspective);
+        QCOMPARE(after.target, before.target);
+        QCOMPARE(w_->viewport().frame().objects.size(), size_t(1));
+        QCOMPARE(document().snapshot(), scene);
     }
 
     void picksInTheView()

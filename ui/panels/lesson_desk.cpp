@@ -5,31 +5,10 @@
 #include <QSettings>
 #include <glm/trigonometric.hpp>
 
-#include "core/catalog/catalog.h"
+#include "core/catalog/lesson_scene.h"
 #include "core/io/io.h"
 
 namespace mw {
-
-namespace {
-
-// "id:k=v,k=v", as on the command line.
-Value applied(const std::string& call, const Value& input, Progress* progress)
-{
-    const size_t colon = call.find(':');
-    const Operation& op = operation(call.substr(0, colon));
-    const std::string parameters = colon == std::string::npos ? std::string() : call.substr(colon + 1);
-    return apply(op, input, parsed(op.parameters, parameters), progress);
-}
-
-}  // namespace
-
-Mesh lessonMesh(const Lesson& lesson, Progress* progress)
-{
-    Value value = applied(lesson.scene.source, Value{}, progress);
-    for (const std::string& call : lesson.scene.operations) value = applied(call, value, progress);
-    if (const Mesh* mesh = std::get_if<Mesh>(&value)) return *mesh;
-    throw Error("the scene of the lesson \"" + lesson.title + "\" is no mesh; correct its source");
-}
 
 LessonDesk& LessonDesk::of(Session& session)
 {
@@ -60,9 +39,9 @@ void LessonDesk::load(const Lesson& lesson)
     job_ = session_.jobs.start(
         tr("Lesson: %1").arg(QString::fromStdString(lesson.title)),
         [self, &lesson](Progress& p) -> std::function<void()> {
-            const Mesh mesh = lessonMesh(lesson, &p);
-            return [self, &lesson, mesh] {
-                if (self && self->lesson_ == &lesson) self->open(lesson, mesh);
+            const Value subject = lessonSubject(lesson, &p);
+            return [self, &lesson, subject] {
+                if (self && self->lesson_ == &lesson) self->open(lesson, subject);
             };
         },
         [self](const QString& why) {
@@ -74,10 +53,21 @@ void LessonDesk::load(const Lesson& lesson)
     emit changed();
 }
 
-void LessonDesk::open(const Lesson& lesson, const Mesh& mesh)
+void LessonDesk::open(const Lesson& lesson, const Value& subject)
 {
     loading_ = false;
     const Operation* op = findOperation(lesson.id);
+    if (const Mesh* mesh = std::get_if<Mesh>(&subject)) {
+        openScene(lesson, op, *mesh);
+    } else if (op) {  // a lab: the scene stays as it is, out of sight
+        loaded_ = &lesson;
+        session_.steps.open(*op, {}, subject, parsed(op->parameters, lesson.scene.parameters));
+    }
+    emit changed();
+}
+
+void LessonDesk::openScene(const Lesson& lesson, const Operation* op, const Mesh& mesh)
+{
     Document& document = session_.document;
     if (!before_ || document.snapshot() != lessonScene_) before_ = document.snapshot();
     session_.steps.close();
@@ -91,7 +81,6 @@ void LessonDesk::open(const Lesson& lesson, const Mesh& mesh)
     session_.view.touch();
     session_.view.frameNodes({});
     if (op) session_.steps.open(*op, node, Value{mesh}, parsed(op->parameters, lesson.scene.parameters));
-    emit changed();
 }
 
 void LessonDesk::backToMyScene()

@@ -35,7 +35,8 @@ signals:
 
 private:
     LessonDesk(const Session& session, QObject* parent);
-    void open(const Lesson& lesson, const Mesh& mesh);
+    void open(const Lesson& lesson, const Value& subject);
+    void openScene(const Lesson& lesson, const Operation* op, const Mesh& mesh);
     void stepChanged();
     void documentChanged();
 
@@ -47,8 +48,5 @@ private:
     quint64 job_ = 0;
     bool loading_ = false;
 };
-
-/// The mesh of a lesson's scene. Throws Error, Cancelled.
-Mesh lessonMesh(const Lesson& lesson, Progress* progress);
 
 }  // namespace mw

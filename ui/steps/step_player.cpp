@@ -16,6 +16,7 @@
 #include "ui/parameter_form.h"
 #include "ui/steps/step_history.h"
 #include "ui/steps/step_lists.h"
+#include "ui/steps/step_subject.h"
 #include "ui/steps/step_words.h"
 
 namespace mw {
@@ -213,21 +214,15 @@ const Operation* StepPlayer::chosen() const
 
 void StepPlayer::start()
 {
-    NodeId node;
-    const auto all = steppable(session_, &node);
-    const Operation* op = chosen();
-    if (!op) return;
-    if (steps_.isOpen() && steps_.node()) node = steps_.node();
-    stepThrough(session_, *op, node);
+    if (const Operation* op = chosen()) stepThrough(session_, *op);
 }
 
 void StepPlayer::refreshAlgorithms()
 {
     const QString before = algorithm_->currentData().toString();
     QString wanted = steps_.isOpen() ? QString::fromStdString(steps_.operation()->id) : before;
-    NodeId node;
     algorithm_->clear();
-    for (const Operation* op : steppable(session_, &node)) algorithm_->addItem(QString::fromStdString(op->title), QString::fromStdString(op->id));
+    for (const Operation* op : steppable()) algorithm_->addItem(QString::fromStdString(op->title), QString::fromStdString(op->id));
     if (steps_.isOpen() && algorithm_->findData(wanted) < 0) algorithm_->addItem(QString::fromStdString(steps_.operation()->title), wanted);
     algorithm_->setCurrentIndex(std::max(0, algorithm_->findData(wanted)));
     algorithm_->setEnabled(algorithm_->count() > 0);
@@ -236,17 +231,17 @@ void StepPlayer::refreshAlgorithms()
 
 void StepPlayer::refreshEmpty()
 {
-    NodeId node;
-    steppable(session_, &node);
     const Operation* op = chosen();
-    const bool ready = op && (node || op->accepts == Kind::Nothing);
+    const QString whyNot = op ? whyNotSteppable(session_, *op) : tr("Choose an algorithm.");
     startButton_->setText(op ? tr("Step through %1").arg(QString::fromStdString(op->title)) : tr("Step through"));
-    startButton_->setEnabled(ready);
-    startButton_->setToolTip(ready ? QString() : tr("No mesh is selected."));
+    startButton_->setEnabled(whyNot.isEmpty());
+    startButton_->setToolTip(whyNot);
+    if (!whyNot.isEmpty()) return emptyText_->setText(tr("%1 Then it runs one step at a time.").arg(whyNot));
+    const NodeId node = subjectNode(session_, *op);
     if (node)
         emptyText_->setText(tr("Run an algorithm on %1 one step at a time.").arg(QString::fromStdString(session_.document.scene().node(node).name)));
     else
-        emptyText_->setText(tr("Select a mesh to run an algorithm on it one step at a time."));
+        emptyText_->setText(tr("Run it one step at a time on the example of its lesson."));
 }
 
 void StepPlayer::refresh()
@@ -285,7 +280,7 @@ void StepPlayer::refreshWords()
 {
     const StepRecord& step = steps_.step();
     if (step.phase.empty()) {
-        sentence_->setText(tr("This is the mesh before the first step. Step forward with <b>Right</b>, play with <b>Space</b>."));
+        sentence_->setText(tr("This is how it begins. Step forward with <b>Right</b>, play with <b>Space</b>."));
         return formula_->setFormula({});
     }
     if (step.phase == "end") {
@@ -299,24 +294,20 @@ void StepPlayer::refreshWords()
 
 }  // namespace
 
-std::vector<const Operation*> steppable(const Session& session, NodeId* node)
+std::vector<const Operation*> steppable()
 {
-    const Scene& s = session.document.scene();
-    const NodeId active = session.document.selection().active();
-    const Node* n = s.find(active);
-    *node = n && n->mesh ? active : NodeId{};
     std::vector<const Operation*> found;
     for (const Operation& op : catalog())
-        if (op.steps && (op.accepts == Kind::Mesh || op.accepts == Kind::Nothing)) found.push_back(&op);
+        if (op.steps) found.push_back(&op);
     return found;
 }
 
-void stepThrough(Session& session, const Operation& op, NodeId node, ParameterValues values)
+bool stepThrough(Session& session, const Operation& op, ParameterValues values)
 {
-    const Node* n = session.document.scene().find(node);
-    if (op.accepts == Kind::Nothing) return session.steps.open(op, node, Value{}, std::move(values));
-    if (!n || !n->mesh) return;
-    session.steps.open(op, node, Value{session.document.shownMesh(n->mesh)}, std::move(values));
+    StepSubject subject = stepSubject(session, op, std::move(values));
+    if (!subject.whyNot.isEmpty()) return false;
+    session.steps.open(op, subject.node, subject.value, std::move(subject.values));
+    return true;
 }
 
 QWidget* makeStepPlayerPanel(Session& session, QWidget* parent)

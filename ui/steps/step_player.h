@@ -8,9 +8,9 @@ namespace mw {
 
 QWidget* makeStepPlayerPanel(Session& session, QWidget* parent);
 
-/// Opens an algorithm on a node's mesh as the stack leaves it below level `level` (0: the base).
-void stepThrough(Session& session, const Operation& op, NodeId node, ParameterValues values = {});
-/// Algorithms with steps that the selected mesh can be given to; the node comes back in `node`.
-std::vector<const Operation*> steppable(const Session& session, NodeId* node);
+/// Opens an algorithm on what is selected, or on the example of its lesson. False when there is nothing to run it on.
+bool stepThrough(Session& session, const Operation& op, ParameterValues values = {});
+/// All algorithms that have steps, in menu order.
+std::vector<const Operation*> steppable();
 
 }  // namespace mw

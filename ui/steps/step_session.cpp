@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/scene/scene_pose.h"
 #include "ui/steps/step_history.h"
 
 namespace mw {
@@ -338,7 +339,7 @@ void StepSession::open(const Operation& op, NodeId node, const Value& input, Par
     impl_->error.clear();
     impl_->edited = false;
     const Node* n = document_.scene().find(node);
-    impl_->openedOn = n && n->mesh ? document_.scene().shared(n->mesh) : nullptr;
+    impl_->openedOn = n && n->mesh && op.accepts == Kind::Mesh ? document_.scene().shared(n->mesh) : nullptr;
     try {
         impl_->engine->start = stepping(op, input, values_);
     } catch (const Error& e) {
@@ -484,11 +485,29 @@ void StepSession::keepAsBase()
     document_.commit(title.toStdString(), std::move(next));
 }
 
+bool StepSession::isOfCharacter() const
+{
+    return op_ && document_.scene().find(node_) && std::holds_alternative<Pose>(impl_->value) && std::holds_alternative<Pose>(impl_->input);
+}
+
+ClipId StepSession::keepAsClip()
+{
+    if (!isOfCharacter()) return {};
+    const Pose from = std::get<Pose>(impl_->input), to = std::get<Pose>(impl_->value);
+    const QString title = tr("%1 as clip").arg(impl_->name());
+    Scene next = document_.scene();
+    const ClipId clip = next.add(keyed(from, to, 1, impl_->name().toStdString()));
+    close();
+    document_.commit(title.toStdString(), std::move(next));
+    return clip;
+}
+
 void StepSession::documentChanged()
 {
     if (!op_ || !node_) return;
     const Node* n = document_.scene().find(node_);
-    if (!n || !n->mesh) return close();
+    if (!n || (op_->accepts == Kind::Mesh && !n->mesh)) return close();
+    if (!n->mesh) return;
     const std::shared_ptr<const MeshObject> now = document_.scene().shared(n->mesh);
     const bool edited = impl_->openedOn && now != impl_->openedOn && !sameShape(*now, *impl_->openedOn);
     if (edited == impl_->edited) return;

@@ -23,7 +23,7 @@ public:
     StepSession(Document& document, Jobs& jobs, QObject* parent = nullptr);
     ~StepSession() override;
 
-    /// Opens an operation on the input of a node's mesh (`level` 0: its base). Ends what was open.
+    /// Opens an operation on an input: of a node's mesh, of the skeleton below a joint (a pose), or of nobody (a lab, `node` none). Ends what was open.
     void open(const Operation& op, NodeId node, const Value& input, ParameterValues values);
     void close();
     bool isOpen() const { return op_ != nullptr; }
@@ -63,6 +63,10 @@ public:
     /// The document's mesh was changed since this was opened: the strip asks what to do.
     bool edited() const;
     void keepAsBase();  ///< the state shown becomes the node's mesh, without modifiers; ends stepping
+    /// True when the state shown is a pose of a character in the scene.
+    bool isOfCharacter() const;
+    /// A clip that leads from the pose it began with to the one shown, within a second; ends stepping. None when it is no character's.
+    ClipId keepAsClip();
 
 public slots:
     void play();

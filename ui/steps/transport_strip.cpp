@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "ui/panels/look.h"
+#include "ui/playback.h"
 #include "ui/steps/step_history.h"
 
 namespace mw {
@@ -63,18 +64,21 @@ private:
     void refreshButtons();
     void refreshText();
     void refreshUnits();
+    void keepAsClip();
     std::vector<StepScrubber::Tick> ticks() const;
 
+    Session session_;
     StepSession& steps_;
     QStackedLayout* pages_ = nullptr;
     QToolButton *first_ = nullptr, *back_ = nullptr, *play_ = nullptr, *next_ = nullptr, *last_ = nullptr;
     QLabel *where_ = nullptr, *state_ = nullptr;
     StepScrubber* scrubber_ = nullptr;
+    QPushButton* keep_ = nullptr;
     QComboBox *unit_ = nullptr, *speed_ = nullptr;
     size_t ticksAt_ = 0;
 };
 
-Strip::Strip(Session& session, QWidget* parent) : QWidget(parent), steps_(session.steps)
+Strip::Strip(Session& session, QWidget* parent) : QWidget(parent), session_(session), steps_(session.steps)
 {
     setObjectName("transport-strip");
     setAccessibleName(tr("Stepping"));
@@ -166,9 +170,14 @@ void Strip::makeChoices(QHBoxLayout* row)
     for (const Speed& s : speeds) speed_->addItem(tr(s.text), s.perSecond);
     speed_->setCurrentIndex(4);
     connect(speed_, &QComboBox::activated, this, [this](int i) { steps_.setSpeed(speed_->itemData(i).toDouble()); });
+    row->addWidget(keep_ = new QPushButton(tr("Keep as clip"), this));
+    keep_->setObjectName("transport-keep");
+    keep_->setFocusPolicy(Qt::TabFocus);
+    keep_->setToolTip(tr("Ends stepping; a new clip leads from the pose at the start to the one shown, within 1 s. Can be undone."));
+    connect(keep_, &QPushButton::clicked, this, &Strip::keepAsClip);
     QToolButton* x = button(this, "x", tr("End stepping"), 28);
     x->setObjectName("transport-close");
-    x->setToolTip(tr("End stepping and show the mesh again."));
+    x->setToolTip(tr("End stepping and show the scene again."));
     connect(x, &QToolButton::clicked, &steps_, &StepSession::close);
     row->addWidget(x);
 }
@@ -215,9 +224,25 @@ std::vector<StepScrubber::Tick> Strip::ticks() const
     return found;
 }
 
+// The view then stands at the clip's end: what was kept is what is seen.
+void Strip::keepAsClip()
+{
+    const ClipId clip = steps_.keepAsClip();
+    if (!clip) return;
+    if (session_.playback) {
+        session_.playback->setClip(clip);
+        session_.playback->setTime(1);
+    } else {
+        session_.view.clip = clip;
+        session_.view.setTime(1);
+    }
+    session_.view.touch();
+}
+
 void Strip::refresh()
 {
     if (!steps_.isOpen()) return;
+    keep_->setVisible(steps_.isOfCharacter());
     pages_->setCurrentIndex(steps_.edited() ? 1 : 0);
     const size_t total = steps_.estimatedLength();
     const size_t end = std::max({total, steps_.history().end(), size_t(2)});

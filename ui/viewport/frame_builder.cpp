@@ -1,13 +1,12 @@
 #include "ui/viewport/frame_builder.h"
 
 #include "render/colors.h"
-#include "render/value_frame.h"
 #include "ui/playback.h"
+#include "ui/steps/step_subject.h"
+#include "ui/viewport/step_frame.h"
 
 namespace mw {
 namespace {
-
-constexpr size_t edgesShownUpTo = 20'000;  // faces, while stepping
 
 void markSelection(const Session& s, Frame& frame)
 {
@@ -32,24 +31,6 @@ void markSelection(const Session& s, Frame& frame)
     frame.marks.push_back(std::move(m));
 }
 
-void markFocus(const Session& s, Frame& frame)
-{
-    for (DrawObject& o : frame.objects) {
-        if (o.node != s.steps.node()) continue;
-        const Value* value = s.steps.value();
-        if (const Mesh* mesh = value ? std::get_if<Mesh>(value) : nullptr) o.mesh = *mesh;
-        o.pose = nullptr;  // places of a step are those of the mesh at rest
-        o.worldFromLocal = s.document.scene().worldFromLocal(o.node);
-        o.heat = nullptr;
-        // What an algorithm does is done to faces and edges: they are shown, unless there are too many to tell apart.
-        if (o.mesh.faceCount() <= edgesShownUpTo) {
-            frame.options.wireOverlay = true;
-            if (frame.options.shading == Shading::Smooth) frame.options.shading = Shading::Flat;
-        }
-        addFocus(frame, s.steps.step(), o.mesh, o.node, o.worldFromLocal);
-    }
-}
-
 }  // namespace
 
 Mesh shownMesh(const Session& session, MeshId id)
@@ -65,10 +46,12 @@ Mesh shownMesh(const Session& session, MeshId id)
 
 Frame buildFrame(const Session& session, HeatService& heats)
 {
+    if (isLab(session.steps)) return labFrame(session);
     Frame frame = frameOf(
-        session.document.scene(), [&](MeshId id) { return shownMesh(session, id); }, session.playback ? session.playback->pose() : ScenePose());
+        session.document.scene(), [&](MeshId id) { return shownMesh(session, id); },
+        shownPose(session, session.playback ? session.playback->pose() : ScenePose()));
     if (!session.view.showMeshes && !frame.bones.empty()) frame.objects.clear();
-    if (!session.view.showBones && !frame.objects.empty()) frame.bones.clear();
+    if (!session.view.showBones && !session.steps.isOfCharacter() && !frame.objects.empty()) frame.bones.clear();
     frame.camera = session.view.camera;
     frame.options = session.view.options;
     const Operation* query = session.view.colourBy.isEmpty() ? nullptr : findOperation(session.view.colourBy.toStdString());
@@ -76,7 +59,7 @@ Frame buildFrame(const Session& session, HeatService& heats)
         for (DrawObject& o : frame.objects) o.heat = heats.heat(*query, o.mesh);
     markSelection(session, frame);
     frame.marks.insert(frame.marks.end(), session.view.flashes.begin(), session.view.flashes.end());
-    if (session.steps.isOpen()) markFocus(session, frame);
+    if (session.steps.isOpen()) markStep(session, frame);
     return frame;
 }
 

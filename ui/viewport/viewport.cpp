@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/viewport/step_frame.h"
+
 namespace mw {
 
 Viewport::Viewport(Session& session, QWidget* parent)
@@ -27,6 +29,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
     });
     for (auto signal : {&StepSession::opened, &StepSession::closed})
         connect(&session_.steps, signal, this, [this] {
+            enterOrLeaveLab();
             refresh();
             say({});
         });
@@ -140,23 +143,34 @@ void Viewport::frameAll(bool fly)
 
 Bounds Viewport::focusBounds()
 {
-    Bounds b;
-    const auto add = [&](const glm::dmat4& m, glm::vec3 p) { b.add(glm::dvec3(m * glm::dvec4(glm::dvec3(p), 1))); };
-    for (const DrawObject& o : frame().objects) {
-        if (o.node != session_.steps.node()) continue;
-        const auto vertex = [&](uint32_t v) {
-            if (v < o.mesh.vertexCount()) add(o.worldFromLocal, o.mesh.positions()[v]);
-        };
-        for (const Focus& f : session_.steps.step().focus) {
-            if (f.kind == ElementKind::Vertex || f.kind == ElementKind::Edge) vertex(f.index);
-            if (f.kind == ElementKind::Edge) vertex(f.other);
-            if (f.kind == ElementKind::Point || f.kind == ElementKind::Segment) add(o.worldFromLocal, f.at);
-            if (f.kind == ElementKind::Segment) add(o.worldFromLocal, f.to);
-            if (f.kind == ElementKind::Face && f.index < o.mesh.faceCount())
-                for (uint32_t v : o.mesh.face(f.index)) vertex(v);
-        }
+    return stepFocusBounds(session_, frame());
+}
+
+// A lab has a camera of its own; the scene's comes back with the scene.
+void Viewport::enterOrLeaveLab()
+{
+    const bool lab = isLab(session_.steps);
+    if (lab && (!beforeLab_ || labOf_ != session_.steps.operation())) {
+        if (!beforeLab_) beforeLab_ = session_.view.camera;
+        labOf_ = session_.steps.operation();
+        flight_.stop();
+        lookAtLab(session_, session_.view.camera, double(width()) / std::max(1, height()));
+        // Docks may come and go with the workspace: once more when the view has its size.
+        QTimer::singleShot(0, this, [this] {
+            if (!isLab(session_.steps) || session_.steps.position() > 0) return;
+            lookAtLab(session_, session_.view.camera, double(width()) / std::max(1, height()));
+            update();
+        });
+    } else if (!lab && beforeLab_) {
+        flight_.stop();
+        session_.view.camera = *beforeLab_;
+        beforeLab_.reset();
+        labOf_ = nullptr;
+    } else {
+        return;
     }
-    return b;
+    refresh();
+    emit cameraMoved();
 }
 
 // From the middle of the scene through the focus outwards: there it is seen on anything that bulges.
@@ -174,6 +188,8 @@ Camera Viewport::facing(const Bounds& focus)
 void Viewport::followFocus()
 {
     if (!session_.steps.isOpen() || session_.steps.playing() || session_.steps.seeking() || drag_ != Drag::None) return;
+    const Value* value = session_.steps.value();
+    if (isLab(session_.steps) || (value && kindOf(*value) == Kind::Pose)) return;  // all of it is in view, and seen through what hides it
     const Bounds focus = focusBounds();
     // Many elements, or all, are no place to look at.
     const double scene = boundsOf(frame()).diagonal();
@@ -198,7 +214,7 @@ void Viewport::frameSelection()
         const glm::dvec3 reach(std::max(focus.diagonal(), 1e-3 * boundsOf(frame()).diagonal()));
         focus.add(focus.min - reach);
         focus.add(focus.max + reach);
-        Camera to = facing(focus);
+        Camera to = isLab(session_.steps) ? session_.view.camera : facing(focus);
         to.frame(focus, double(width()) / std::max(1, height()));
         return flyTo(to);
     }

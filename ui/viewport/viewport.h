@@ -51,6 +51,7 @@ private:
     enum class Drag { None, Pending, Orbit, Pan, Zoom, Box };
     void refresh();                      // the frame is out of date
     Bounds focusBounds();                // of the step's focus, in the world
+    void enterOrLeaveLab();
     void followFocus();                  // turns the camera when the focus cannot be seen
     Camera facing(const Bounds& focus);  // the present camera, turned to it from outside
     void showFrame(const Bounds& bounds, bool fly);
@@ -73,6 +74,8 @@ private:
     Frame frame_;
     bool stale_ = true, boxTool_ = false, framedOnce_ = false;
     std::optional<Mark> hoverMark_;
+    std::optional<Camera> beforeLab_;
+    const Operation* labOf_ = nullptr;
     QMenu* menu_ = nullptr;
 
     Drag drag_ = Drag::None;

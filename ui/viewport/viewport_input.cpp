@@ -5,6 +5,7 @@
 #include <set>
 
 #include "render/bones.h"
+#include "ui/viewport/step_frame.h"
 #include "ui/viewport/viewport.h"
 
 namespace mw {
@@ -179,6 +180,7 @@ NodeId Viewport::jointUnder(QPointF at, bool surface)
 void Viewport::click(QPointF point, Qt::KeyboardModifiers m)
 {
     if (const QString view = markerView(point); !view.isEmpty()) return lookFrom(view);
+    if (isLab(session_.steps)) return;  // nothing of the document is in view
     auto pick = pickAt(point);
     Selection s = session_.document.selection();
     const bool extend = m & (Qt::ShiftModifier | Qt::ControlModifier);
@@ -216,6 +218,7 @@ void Viewport::click(QPointF point, Qt::KeyboardModifiers m)
 
 void Viewport::selectBox(const QRect& box, Qt::KeyboardModifiers m)
 {
+    if (isLab(session_.steps)) return;
     if (!renderer_ || box.width() < 2 || box.height() < 2) return;
     frame();
     frame_.camera = session_.view.camera;

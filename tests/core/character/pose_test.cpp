@@ -33,6 +33,17 @@ TEST(JointOf, ByNameOrNumber)
     EXPECT_EQ(jointOf(s, "#0"), 2u);  // a name comes before a number
 }
 
+TEST(JointOf, EndSitesAreNumberedLast)
+{
+    Skeleton s = named({"hip", "end", "arm", "end"});
+    s.joints[1].end = s.joints[3].end = true;
+    EXPECT_EQ(jointOf(s, "#1"), 2u);
+    EXPECT_EQ(jointOf(s, "#3"), 3u);
+    EXPECT_NE(messageOf(s, "end").find("#2, #3"), std::string::npos);
+    EXPECT_EQ(calledBy(s, 2), "arm");
+    for (uint32_t i = 0; i < 4; ++i) EXPECT_EQ(jointOf(s, calledBy(s, i)), i);
+}
+
 TEST(JointOf, SaysWhatThereIs)
 {
     const Skeleton s = named({"hip", "LeftArm", "LeftHand", "hip"});

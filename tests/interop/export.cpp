@@ -187,7 +187,7 @@ bool moves(const Scene& s)
 
 void ofData(const std::filesystem::path& data, const std::filesystem::path& folder)
 {
-    const std::set<std::string> endings{".glb", ".gltf", ".obj", ".ply", ".bvh", ".fbx", ".x", ".X", ".md5mesh", ".md5anim"};
+    const std::set<std::string> endings{".glb", ".gltf", ".obj", ".ply", ".bvh"};
     for (const char* sub : {"gltf", "characters", "bvh", "meshes"})
         for (const auto& entry : std::filesystem::recursive_directory_iterator(data / sub)) {
             std::string ending = entry.path().extension().string();

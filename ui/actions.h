@@ -21,7 +21,7 @@ struct Actions {
     QAction *selectAll, *selectNone, *invert, *hide, *hideOthers, *showAll;
     QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *bones, *picture, *resetCamera;
     QAction *darkTheme, *lightTheme;
-    QList<QAction*> pickKinds, shadings, views, tools, addModifiers, addSources, stepThroughs;
+    QList<QAction*> pickKinds, shadings, views, tools, addModifiers, addSources, stepThroughs, terrainActions, terrainEdits;
     QMenu* recent = nullptr;
 
     /// Fills the bar; `windowMenu` gets its docks from the window. Help is left to the window, too.
@@ -37,6 +37,7 @@ private:
     void makeSelect();
     void makeView();
     void makeCatalog();
+    void makeTerrain();
     void fillRecent();
 
     Session& s_;

@@ -39,7 +39,7 @@ QString filterOf(bool writing, const QString& all)
 std::vector<NodeId> withMesh(const Scene& scene)
 {
     for (NodeId n : scene.nodes())
-        if (scene.node(n).mesh) return {n};
+        if (scene.node(n).mesh || scene.node(n).terrain) return {n};
     return {};
 }
 

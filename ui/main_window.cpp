@@ -74,6 +74,7 @@ void MainWindow::makeCentre()
     viewport_->setContextMenu(actions_->contextMenu(this));
     header_ = makeViewHeader(session_, *viewport_, *actions_, centre_);
     makeLevelHud(session_, viewport_);
+    makeGroundHud(session_, *viewport_);
     auto* grid = new QGridLayout(centre_);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(1);
@@ -176,6 +177,12 @@ void MainWindow::listen()
         refreshTitle();
     });
     connect(view_.get(), &ViewState::changed, this, [this] { actions_->refresh(); });
+    connect(workspaces_, &Workspaces::changed, this, [this] {
+        const bool terrain = workspaces_->current() == "Terrain";
+        centre_->findChild<QWidget*>("toolStrip")->setHidden(terrain);
+        view_->brushInHand = terrain;
+        view_->touchBrush();
+    });
     connect(viewport_, &Viewport::hint, status_, &StatusStrip::setHint);
     connect(viewport_, &Viewport::failed, banner_, &Banner::trouble);
     connect(status_, &StatusStrip::jobsClicked, this, [this] { workspaces_->show("jobs"); });
@@ -190,7 +197,7 @@ void MainWindow::listen()
         const bool character = workspaces_->current() == "Character";
         view_->showBones = character;
         view_->showMeshes = true;
-        for (const auto& [name, shown] : {std::pair{"colourByGroup", !character}, {"showGroup", character}})
+        for (const auto& [name, shown] : {std::pair{"colourByGroup", !character && workspaces_->current() != "Terrain"}, {"showGroup", character}})
             if (auto* group = header_->findChild<QWidget*>(name)) group->setVisible(shown);
         view_->touch();
     });

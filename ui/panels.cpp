@@ -1,11 +1,14 @@
 #include "ui/panel.h"
+#include "ui/panels/generators.h"
 #include "ui/panels/history.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/jobs.h"
 #include "ui/panels/lessons.h"
 #include "ui/panels/modifiers.h"
 #include "ui/panels/outliner.h"
+#include "ui/panels/painter.h"
 #include "ui/panels/properties.h"
+#include "ui/panels/terrain.h"
 #include "ui/panels/timeline.h"
 #include "ui/steps/plot_panel.h"
 #include "ui/steps/source_panel.h"
@@ -27,6 +30,9 @@ const std::vector<PanelEntry>& panels()
         {"step-player", "Step player", "Phase, formula and numbers of the running algorithm", makeStepPlayerPanel},
         {"source", "Source", "The algorithm's own source, at the line that runs", makeSourcePanel},
         {"timeline", "Timeline", "Clips, their keys and the playhead", makeTimelinePanel},
+        {"painter", "Painter", "The brush, layers of the ground, height maps in and out", makePainterPanel},
+        {"terrain", "Terrain", "Size, water and level of detail of the terrain", makeTerrainPanel},
+        {"generators", "Generators", "What makes height maps", makeGeneratorsPanel},
         {"plot", "Plot", "A number of the algorithm over its steps", makePlotPanel},
     };
     return all;

@@ -115,7 +115,8 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent)
 
 QString NumberBox::textFromValue(double v) const
 {
-    return integral ? QLocale(QLocale::English).toString(qlonglong(std::llround(v))) : QString::number(v, 'g', 4);
+    if (integral || (std::abs(v) >= 1000 && std::abs(v) < 1e9)) return QLocale(QLocale::English).toString(qlonglong(std::llround(v)));
+    return QString::number(v, 'g', 4);
 }
 
 double NumberBox::valueFromText(const QString& text) const
@@ -212,6 +213,7 @@ QWidget* ParameterForm::numberEditor(Row& row)
     box->integral = integral;
     box->setRange(std::max(p.about.min, -widest), std::min(p.about.max, widest));
     box->setSuffix(unitSuffix(p.about));
+    if (box->suffix().size() > 4) box->setFixedWidth(108);  // "257 samples"
     const auto value = [integral](double v) -> ParameterValue { return integral ? ParameterValue(int64_t(std::llround(v))) : ParameterValue(v); };
     QSlider* slider = nullptr;
     const auto scale = scaleOf(p);
@@ -219,6 +221,7 @@ QWidget* ParameterForm::numberEditor(Row& row)
         slider = new QSlider(Qt::Horizontal, holder);
         slider->setRange(0, sliderSteps);
         slider->setFocusPolicy(Qt::TabFocus);
+        slider->setMinimumWidth(24);  // in narrow docks it is the slider that gives way
         slider->setAccessibleName(QString::fromStdString(p.about.title));
         slider->installEventFilter(this);
         line->addWidget(slider, 1);

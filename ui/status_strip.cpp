@@ -87,6 +87,8 @@ void StatusStrip::refresh()
     } else if (n && n->mesh) {
         mesh = shownMesh(session_, n->mesh);
     }
+    if (const TerrainObject* ground = n && n->terrain ? scene.find(n->terrain) : nullptr; ground && !mesh)
+        return counts_->setText(grouped(ground->terrain.map.width()) + " \u00d7 " + grouped(ground->terrain.map.height()) + " heights");
     if (!mesh) return counts_->clear();
     // Edges are counted where the list is there already: never here.
     QString text = "V " + grouped(mesh->vertexCount());

@@ -9,10 +9,12 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include "render/terrain_levels.h"
 #include "ui/actions.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport.h"
+#include "ui/words.h"
 
 namespace mw {
 namespace {
@@ -59,6 +61,35 @@ QComboBox* colourBy(Session& session, QWidget* parent)
         combo->setCurrentIndex(std::max(0, combo->findData(session.view.colourBy)));
     });
     return combo;
+}
+
+/// What is drawn over terrains; away while there is none.
+QWidget* groundOverlay(Session& session, QWidget* parent)
+{
+    auto* holder = new QWidget(parent);
+    auto* line = new QHBoxLayout(holder);
+    line->setContentsMargins(8, 0, 0, 0);
+    line->setSpacing(6);
+    line->addWidget(new QLabel("Overlay", holder));
+    auto* combo = new QComboBox(holder);
+    combo->setObjectName("groundOverlay");
+    combo->setAccessibleName("Overlay on terrains");
+    combo->setToolTip("What is drawn over the ground: patch borders, their level of detail, or the slope from 0 to 60\u00b0");
+    combo->setFocusPolicy(Qt::TabFocus);
+    combo->addItems({"None", "Patch borders", "Level of detail", "Slope"});
+    line->addWidget(combo);
+    QObject::connect(combo, &QComboBox::activated, combo, [&session](int i) {
+        session.view.groundOverlay = DrawTerrain::Overlay(i);
+        session.view.touch();
+    });
+    const auto refresh = [&session, holder, combo] {
+        holder->setVisible(!session.document.scene().terrains().empty());
+        combo->setCurrentIndex(int(session.view.groundOverlay));
+    };
+    QObject::connect(&session.view, &ViewState::changed, holder, refresh);
+    holder->setProperty("token", QVariant::fromValue(session.document.subscribe([refresh](const Change&) { refresh(); })));
+    refresh();
+    return holder;
 }
 
 QComboBox* showWhat(Session& session, QWidget* parent)
@@ -117,6 +148,7 @@ QWidget* makeViewHeader(Session& session, Viewport& viewport, Actions& a, QWidge
     line->addSpacing(8);
     line->addWidget(group("colourByGroup", "Colour by", colourBy(session, header), header));
     line->addWidget(group("showGroup", "Show", showWhat(session, header), header));
+    line->addWidget(groundOverlay(session, header));
     line->addStretch(1);
     auto* camera = new QComboBox(header);
     camera->setAccessibleName("Camera");
@@ -155,6 +187,36 @@ QWidget* makeToolStrip(Actions& a, QWidget* parent)
     }
     box->addStretch(1);
     return strip;
+}
+
+QWidget* makeGroundHud(Session& session, Viewport& viewport)
+{
+    auto* hud = new QFrame(&viewport);
+    hud->setObjectName("hud");
+    auto* line = new QHBoxLayout(hud);
+    line->setContentsMargins(10, 6, 10, 6);
+    auto* text = new QLabel(hud);
+    text->setObjectName("groundCounts");
+    line->addWidget(text);
+    const auto refresh = [&session, &viewport, hud, text] {
+        const Scene& scene = session.document.scene();
+        const bool shown = !scene.terrains().empty() && !session.steps.isOpen();
+        hud->setVisible(shown);
+        if (!shown) return;
+        const Terrain& t = scene.find(scene.terrains().front())->terrain;
+        const glm::ivec2 patches = patchesOf(t);
+        QString said =
+            QString("Triangles <b>%1</b> &nbsp; %2 patches").arg(grouped(viewport.trianglesDrawn()), grouped(size_t(patches.x) * size_t(patches.y)));
+        if (const auto& g = session.view.ground) said += QString(" &nbsp; Height at cursor <b>%1 m</b>").arg(g->local.y, 0, 'f', 1);
+        if (said == text->text()) return;
+        text->setText(said);
+        hud->adjustSize();
+        hud->move(12, 12);
+    };
+    for (auto signal : {&ViewState::groundChanged, &ViewState::changed}) QObject::connect(&session.view, signal, hud, refresh);
+    QObject::connect(&viewport, &Viewport::painted, hud, refresh, Qt::QueuedConnection);
+    refresh();
+    return hud;
 }
 
 QWidget* makeLevelHud(Session& session, QWidget* parent)

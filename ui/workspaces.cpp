@@ -43,6 +43,12 @@ QList<Cell> cellsOf(const QString& workspace, bool narrow)
         return {{left, {"outliner", "history"}, 0, 236},
                 {right, {"retarget", "properties"}, 0, narrow ? 336 : 430},
                 {bottom, {"timeline", "plot"}, narrow ? 220 : 266, 0}};
+    if (workspace == "Terrain") {
+        if (narrow)
+            return {
+                {left, {"painter", "outliner"}, 0, 276}, {right, {"terrain", "properties"}, 430, 322}, {right, {"generators", "history"}, 0, 322}};
+        return {{left, {"painter", "outliner"}, 0, 300}, {right, {"terrain", "properties"}, 462, 322}, {right, {"generators", "history"}, 0, 322}};
+    }
     if (narrow)
         return {{left, {"outliner", "history"}, 200, 276}, {left, {"inspector"}, 0, 276}, {right, {"modifiers", "properties", "jobs"}, 0, 336}};
     return {{left, {"outliner"}, 214, 304},
@@ -171,6 +177,7 @@ void Workspaces::change(const QString& name)
     if (name == current_) return;
     if (!current_.isEmpty()) store();
     current_ = name;
+    for (QDockWidget* d : docks_) d->hide();  // a saved layout says nothing of docks that were in none
     const QByteArray state = QSettings().value("layout/" + name).toByteArray();
     if (state.isEmpty() || !window_->restoreState(state, layoutVersion)) build(name);
     QTimer::singleShot(0, this, [this] { retitle(); });

@@ -15,7 +15,7 @@ class Workspaces : public QObject {
 
 public:
     Workspaces(Session& session, QMainWindow* window);
-    static QStringList names() { return {"Mesh", "Learn", "Character"}; }
+    static QStringList names() { return {"Mesh", "Learn", "Terrain", "Character"}; }
     const QString& current() const { return current_; }
     void change(const QString& name);
     void reset();      ///< as the table has it

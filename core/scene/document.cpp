@@ -187,7 +187,7 @@ void Document::open(Scene scene, std::filesystem::path file, std::string history
     auto next = std::make_shared<const Scene>(std::move(scene));
     Selection first;
     for (NodeId n : next->nodes())
-        if (next->node(n).mesh) {
+        if (next->node(n).mesh || next->node(n).terrain) {
             first.nodes = {n};
             break;
         }

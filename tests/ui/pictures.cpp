@@ -14,6 +14,7 @@
 #include "ui/samples.h"
 #include "ui/stack_edits.h"
 #include "ui/steps/step_player.h"
+#include "ui/terrain_edits.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport.h"
 #include "ui/workspaces.h"
@@ -44,6 +45,47 @@ void heat(MainWindow& w, const char* query)
     w.session().view.colourBy = query;
     w.session().view.touch();
     settle(w);
+}
+
+void drag(Viewport& view, QPoint from, QPoint to, Qt::KeyboardModifiers m = {})
+{
+    QTest::mousePress(&view, Qt::LeftButton, m, from);
+    for (int i = 1; i <= 6; ++i) QTest::mouseMove(&view, from + (to - from) * i / 6);
+    QTest::mouseRelease(&view, Qt::LeftButton, m, to);
+}
+
+/// A terrain from a picture of mountains when there is one, painted by hand.
+void terrainTour(MainWindow& w, const QString& folder, const QString& name)
+{
+    Session& s = w.session();
+    w.files().openScene(Scene(), "New scene");
+    const QString mountains = qEnvironmentVariable("MESHWRIGHT_DATA") + "/terrain/MtCook.tga";
+    if (QFile::exists(mountains))
+        edits::importPicture(s, mountains, true, [](const QString&) {});
+    else
+        edits::newTerrain(s);
+    settle(w);
+    w.workspaces().change("Terrain");
+    const NodeId node = edits::activeTerrain(s.document);
+    Terrain t = edits::terrainOf(s.document, node)->terrain;
+    t.waterLevel = 18.4;
+    edits::commitTerrain(s.document, node, t, "water level 18.4 m");
+    QTest::qWait(1500);  // the flight to the new terrain ends
+    s.view.camera.azimuth = 0.15;
+    s.view.camera.elevation = 0.5;
+    s.view.camera.distance = 520;
+    s.view.camera.target = {-20, 40, 60};
+    s.view.groundOverlay = DrawTerrain::Overlay::PatchBorders;
+    s.view.touch();
+    settle(w);
+    Viewport& view = w.viewport();
+    const QPoint middle(view.width() / 2, view.height() / 2);
+    drag(view, middle + QPoint(-150, 60), middle + QPoint(-60, 100));
+    drag(view, middle + QPoint(150, 80), middle + QPoint(220, 60), Qt::ControlModifier);
+    QTest::mouseMove(&view, middle + QPoint(-60, 90));
+    settle(w);
+    shoot(w, folder, name);
+    w.workspaces().change("Mesh");
 }
 
 void tour(MainWindow& w, const QString& folder, const QString& dragon)
@@ -162,11 +204,12 @@ int main(int argc, char** argv)
         w.resize(size);
         w.show();
         if (!QTest::qWaitForWindowExposed(&w)) return 1;
-        const QString only = argc > 1 ? argv[1] : "";  // "characters" or "steps"
+        const QString only = argc > 1 ? argv[1] : "";  // "characters", "steps" or "terrain"
         if (only.isEmpty()) tour(w, folder, dragon);
-        if (!only.startsWith("step")) characters(w, folder, qEnvironmentVariable("MESHWRIGHT_DATA"));
-        if (!only.startsWith("character")) stepTour(w, folder, character);
-        if (argc > 1) continue;
+        if (only.isEmpty() || only.startsWith("character")) characters(w, folder, qEnvironmentVariable("MESHWRIGHT_DATA"));
+        if (only.isEmpty() || only.startsWith("step")) stepTour(w, folder, character);
+        if (only.isEmpty() || only.startsWith("terrain")) terrainTour(w, folder, "terrain");
+        if (!only.isEmpty() && !only.startsWith("terrain")) continue;
         if (size.width() == 1600) {
             applyTheme(app, Theme::Light);
             MainWindow light;
@@ -177,6 +220,7 @@ int main(int argc, char** argv)
             settle(light);
             heat(light, "vertex-valence");
             shoot(light, folder, "light");
+            terrainTour(light, folder, "terrain-light");
             applyTheme(app, Theme::Dark);
         }
     }

@@ -21,6 +21,11 @@ void markSelection(const Session& s, Frame& frame)
         b.selected = selection.has(b.node);
         b.hovered = s.view.hovered == b.node;
     }
+    for (DrawTerrain& t : frame.terrains) {
+        // With the brush in hand a line round the ground would only be in the way.
+        t.selected = selection.has(t.node) && s.view.pickKind == PickKind::Object && !s.view.brushInHand;
+        t.hovered = s.view.hovered == t.node && s.view.pickKind == PickKind::Object && !s.view.brushInHand;
+    }
     if (!selection.elementsOf || selection.elements.indices.empty()) return;
     Mark m;
     m.node = selection.elementsOf;
@@ -57,6 +62,7 @@ Frame buildFrame(const Session& session, HeatService& heats)
     const Operation* query = session.view.colourBy.isEmpty() ? nullptr : findOperation(session.view.colourBy.toStdString());
     if (query && !session.steps.isOpen())
         for (DrawObject& o : frame.objects) o.heat = heats.heat(*query, o.mesh);
+    for (DrawTerrain& t : frame.terrains) t.overlay = session.view.groundOverlay;
     markSelection(session, frame);
     frame.marks.insert(frame.marks.end(), session.view.flashes.begin(), session.view.flashes.end());
     if (session.steps.isOpen()) markStep(session, frame);

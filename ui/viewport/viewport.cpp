@@ -10,7 +10,7 @@
 namespace mw {
 
 Viewport::Viewport(Session& session, QWidget* parent)
-    : QOpenGLWidget(parent), session_(session), heats_(session.jobs), band_(new QRubberBand(QRubberBand::Rectangle, this))
+    : QOpenGLWidget(parent), session_(session), heats_(session.jobs), brush_(session), band_(new QRubberBand(QRubberBand::Rectangle, this))
 {
     setObjectName("viewport");
     setAccessibleName("View");
@@ -35,6 +35,13 @@ Viewport::Viewport(Session& session, QWidget* parent)
         });
     connect(&heats_, &HeatService::ready, this, &Viewport::refresh);
     connect(&heats_, &HeatService::failed, this, &Viewport::failed);
+    connect(&session_.view, &ViewState::brushChanged, this, &Viewport::toolChanged);
+    connect(&session_.view, &ViewState::groundChanged, this, [this] {
+        if (session_.view.brushInHand) update();
+    });
+    brushTold_.setSingleShot(true);
+    brushTold_.setInterval(1500);
+    connect(&brushTold_, &QTimer::timeout, this, [this] { update(); });
     hoverTimer_.setSingleShot(true);
     hoverTimer_.setInterval(30);
     connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::hover);
@@ -90,7 +97,10 @@ void Viewport::paintGL()
     const Bounds bounds = boundsOf(frame_);
     session_.view.camera.fitClip(bounds);
     frame_.camera = session_.view.camera;
-    const size_t marks = frame_.marks.size();
+    const size_t marks = frame_.marks.size(), points = frame_.points.size(), labels = frame_.labels.size();
+    const bool ring = session_.view.brushInHand && session_.view.ground && !session_.steps.isOpen() &&
+                      (drag_ == Drag::None || drag_ == Drag::Pending || drag_ == Drag::Paint);
+    if (ring) brush_.decorate(frame_, *session_.view.ground, brushTold_.isActive());
     if (hoverMark_ && !session_.steps.isOpen()) frame_.marks.push_back(*hoverMark_);
     try {
         renderer_->draw(frame_, defaultFramebufferObject(), deviceSize());
@@ -99,6 +109,12 @@ void Viewport::paintGL()
         renderer_.reset();
     }
     frame_.marks.resize(marks);
+    frame_.points.resize(points);
+    frame_.labels.resize(labels);
+    if (ring)
+        for (DrawTerrain& t : frame_.terrains) t.brush.reset();
+    trianglesDrawn_ = renderer_ ? renderer_->counts().triangles : 0;
+    emit painted();
 }
 
 glm::ivec2 Viewport::deviceSize() const
@@ -132,6 +148,8 @@ Bounds Viewport::boundsOfNodes(const std::vector<NodeId>& nodes)
             if (within(o.node, n)) part.objects.push_back(o);
         for (const DrawBone& b : frame().bones)
             if (within(b.node, n)) part.bones.push_back(b);
+        for (const DrawTerrain& t : frame().terrains)
+            if (within(t.node, n)) part.terrains.push_back(t);
     }
     return boundsOf(part);
 }
@@ -290,7 +308,31 @@ void Viewport::lookFrom(const QString& view)
 void Viewport::setBoxTool(bool on)
 {
     boxTool_ = on;
-    setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+    session_.view.brushInHand = false;
+    session_.view.touchBrush();
+}
+
+void Viewport::setBrushTool()
+{
+    session_.view.brushInHand = true;
+    session_.view.touchBrush();
+}
+
+bool Viewport::abortDrag()
+{
+    if (!brush_.abort()) return false;
+    drag_ = Drag::None;
+    return true;
+}
+
+void Viewport::toolChanged()
+{
+    if (session_.view.brushInHand) {
+        boxTool_ = false;
+        brushTold_.start();
+    }
+    setCursor(boxTool_ ? Qt::CrossCursor : Qt::ArrowCursor);
+    refresh();
     say({});
 }
 

@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QVariantAnimation>
 
+#include "ui/viewport/brush_tool.h"
 #include "ui/viewport/frame_builder.h"
 
 namespace mw {
@@ -25,6 +26,9 @@ public:
     void lookFrom(const QString& view);  ///< "front", ...; a second time the opposite
     void setBoxTool(bool on);
     bool boxTool() const { return boxTool_; }
+    void setBrushTool();
+    bool abortDrag();  ///< a stroke: the ground is as before; false when there is none
+    size_t trianglesDrawn() const { return trianglesDrawn_; }
     void setContextMenu(QMenu* menu) { menu_ = menu; }
     size_t framesDrawn() const { return framesDrawn_; }
     const Frame& frame();
@@ -36,6 +40,7 @@ signals:
     void hint(const QString& text);
     void failed(const QString& text);  ///< the driver cannot draw, or a query could not run
     void cameraMoved();
+    void painted();
 
 protected:
     void initializeGL() override;
@@ -48,7 +53,7 @@ protected:
     bool event(QEvent* e) override;
 
 private:
-    enum class Drag { None, Pending, Orbit, Pan, Zoom, Box };
+    enum class Drag { None, Pending, Orbit, Pan, Zoom, Box, Paint };
     void refresh();                      // the frame is out of date
     Bounds focusBounds();                // of the step's focus, in the world
     void enterOrLeaveLab();
@@ -59,6 +64,9 @@ private:
     void beginDrag(QPointF at);
     void drag(QPointF at);
     void hover();
+    void pointAt(QPointF at);  // the ground there
+    Ray rayAt(QPointF at) const { return session_.view.camera.ray({at.x(), at.y()}, logicalSize()); }
+    void toolChanged();
     void say(Qt::KeyboardModifiers modifiers);
     QString markerView(QPointF at) const;  // "top" when a ball of the orientation marker is there
     Bounds boundsOfNodes(const std::vector<NodeId>& nodes);
@@ -69,6 +77,7 @@ private:
 
     Session& session_;
     HeatService heats_;
+    BrushTool brush_;
     std::unique_ptr<Renderer> renderer_;
     std::shared_ptr<void> subscription_;
     Frame frame_;
@@ -86,7 +95,8 @@ private:
     QRubberBand* band_;
     QTimer hoverTimer_;
     QVariantAnimation flight_;
-    size_t framesDrawn_ = 0;
+    QTimer brushTold_;  // its numbers are shown while it runs
+    size_t framesDrawn_ = 0, trianglesDrawn_ = 0;
 };
 
 }  // namespace mw

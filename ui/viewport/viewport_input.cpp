@@ -66,6 +66,11 @@ void Viewport::mousePressEvent(QMouseEvent* e)
     modifiers_ = e->modifiers();
     pressed_ = last_ = e->position();
     drag_ = Drag::Pending;
+    const bool paints =
+        session_.view.brushInHand && !session_.steps.isOpen() && button_ == Qt::LeftButton && !(modifiers_ & (Qt::AltModifier | Qt::ShiftModifier));
+    if (!paints || !markerView(pressed_).isEmpty() || !brush_.press(rayAt(pressed_), modifiers_ & Qt::ControlModifier)) return;
+    drag_ = Drag::Paint;  // a drag that starts beside the ground orbits
+    pointAt(pressed_);
 }
 
 void Viewport::beginDrag(QPointF)
@@ -101,6 +106,10 @@ void Viewport::drag(QPointF at)
         case Drag::Pan:
             c.pan(delta, logicalSize());
             break;
+        case Drag::Paint:
+            brush_.move(rayAt(at));
+            pointAt(at);
+            return;
         case Drag::Zoom:
             c.zoom(-delta.y / 40, {pressed_.x(), pressed_.y()}, logicalSize());
             break;
@@ -120,6 +129,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* e)
     if (drag_ == Drag::None) {
         say(e->modifiers());
         last_ = at;
+        pointAt(at);
         if (!session_.steps.isOpen()) hoverTimer_.start();
         return;
     }
@@ -137,7 +147,10 @@ void Viewport::mouseReleaseEvent(QMouseEvent* e)
     const Drag was = drag_;
     drag_ = Drag::None;
     setCursor(boxTool_ ? Qt::CrossCursor : Qt::ArrowCursor);
-    if (was == Drag::Box) {
+    if (was == Drag::Paint) {
+        brush_.release();
+        pointAt(e->position());
+    } else if (was == Drag::Box) {
         band_->hide();
         selectBox(QRectF(pressed_, e->position()).normalized().toRect(), e->modifiers());
     } else if (was == Drag::Pending && button_ == Qt::LeftButton) {
@@ -275,6 +288,7 @@ void Viewport::wheelEvent(QWheelEvent* e)
 void Viewport::leaveEvent(QEvent*)
 {
     hoverTimer_.stop();
+    session_.view.setGround({});
     const bool had = hoverMark_.has_value() || session_.view.hovered;
     hoverMark_.reset();
     session_.view.hovered = {};
@@ -289,7 +303,7 @@ bool Viewport::event(QEvent* e)
 
 void Viewport::hover()
 {
-    if (drag_ != Drag::None || session_.steps.isOpen()) return;
+    if (drag_ != Drag::None || session_.steps.isOpen() || session_.view.brushInHand) return;
     QElapsedTimer clock;
     clock.start();
     const auto pick = pickAt(last_);
@@ -305,11 +319,22 @@ void Viewport::hover()
     refresh();
 }
 
+void Viewport::pointAt(QPointF at)
+{
+    session_.view.setGround(rect().contains(at.toPoint()) && !session_.steps.isOpen() ? brush_.under(rayAt(at)) : std::nullopt);
+    if (session_.view.brushInHand && drag_ != Drag::Pan && drag_ != Drag::Orbit) setCursor(session_.view.ground ? Qt::BlankCursor : Qt::ArrowCursor);
+}
+
 void Viewport::say(Qt::KeyboardModifiers m)
 {
     if (session_.steps.isOpen())
         emit hint("→ next step · ← step back · Shift+→ next phase · Space plays · F frames the focus");
-    else if (m & Qt::ShiftModifier)
+    else if (session_.view.brushInHand) {
+        const bool lowers = (session_.view.brush.kind == Brush::Kind::Lower) != bool(m & Qt::ControlModifier);
+        emit hint(QString("Drag %1 \u00b7 Ctrl+drag %2 \u00b7 [ ] radius \u00b7 Shift+[ ] strength \u00b7 Right-drag pans \u00b7 Middle-drag, or a "
+                          "drag beside the ground, orbits")
+                      .arg(lowers ? "lowers" : "raises", lowers ? "raises" : "lowers"));
+    } else if (m & Qt::ShiftModifier)
         emit hint("Shift+click adds · Shift+drag boxes, adding · Shift+middle-drag pans");
     else if (m & Qt::ControlModifier)
         emit hint("Ctrl+click toggles");

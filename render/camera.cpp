@@ -102,10 +102,12 @@ void CameraFit::add(glm::dvec3 world)
 {
     const glm::dvec3 p = viewFromWorld_ * world;
     // A side of the view is x = slope * (eye - z): a point needs the eye's x + slope * z to be at least its own.
-    const glm::dvec2 shear = perspective_ ? slope_ * p.z : glm::dvec2(0);
-    const glm::dvec2 r = glm::dvec2(p) + shear, l = -glm::dvec2(p) + shear;
-    right_ = empty_ ? r : glm::max(right_, r);
-    left_ = empty_ ? l : glm::max(left_, l);
+    for (size_t k = 0; k < slopes; ++k) {
+        const glm::dvec2 shear = perspective_ ? slopeOf(k) * p.z : glm::dvec2(0);
+        const glm::dvec2 r = glm::dvec2(p) + shear, l = -glm::dvec2(p) + shear;
+        right_[k] = empty_ ? r : glm::max(right_[k], r);
+        left_[k] = empty_ ? l : glm::max(left_[k], l);
+    }
     front_ = empty_ ? p.z : std::max(front_, p.z);
     back_ = empty_ ? p.z : std::min(back_, p.z);
     empty_ = false;
@@ -114,9 +116,16 @@ void CameraFit::add(glm::dvec3 world)
 void CameraFit::apply(Camera& camera) const
 {
     if (empty_) return;
-    const glm::dvec2 need = 0.5 * (right_ + left_) / slope_, middle = 0.5 * (right_ - left_);
+    const auto need = [&](size_t k) { return 0.5 * (right_[k] + left_[k]) / slopeOf(k); };
+    const glm::dvec2 whole = need(slopes - 1);
     const double depth = 0.5 * (front_ + back_);
-    const double eye = std::max(need.x, need.y) + (perspective_ ? 0 : depth);  // when parallel `need` is a size, not a place
+    const double eye = std::max(whole.x, whole.y) + (perspective_ ? 0 : depth);  // when parallel `need` is a size, not a place
+    glm::dvec2 middle(0);
+    for (int axis = 0; axis < 2; ++axis) {
+        size_t k = slopes - 1;
+        while (perspective_ && k > 0 && need(k - 1)[axis] <= eye) --k;  // the narrowest sides that hold it from there
+        middle[axis] = 0.5 * (right_[k] - left_[k])[axis];
+    }
     camera.target = glm::transpose(viewFromWorld_) * glm::dvec3(middle, depth);
     const double d = eye - depth;
     camera.distance = d > 0 ? std::clamp(d, nearest, farthest) : 1;  // a single point is shown from one unit away

@@ -1,5 +1,6 @@
 // The camera of a view: it turns about a point, up stays up.
 #pragma once
+#include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -44,10 +45,14 @@ public:
     void apply(Camera& camera) const;
 
 private:
+    glm::dvec2 slopeOf(size_t k) const { return slope_ * (double(k + 1) / double(slopes)); }
     glm::dmat3 viewFromWorld_;  // rotation alone
     bool perspective_;
-    glm::dvec2 slope_;               // of the sides of the view, or the aspect alone when parallel
-    glm::dvec2 right_{0}, left_{0};  // how far points reach towards the upper and the lower side, x and y
+    glm::dvec2 slope_;  // of the sides of the view, or the aspect alone when parallel
+    // How far points reach towards the upper and the lower side, x and y, for sides of k / 16 of the slope: what does not fill the view
+    // one way is put into the middle of it, and where that is depends on how steeply it is seen.
+    static constexpr size_t slopes = 16;
+    std::array<glm::dvec2, slopes> right_{}, left_{};
     double front_ = 0, back_ = 0;
     bool empty_ = true;
 };

@@ -218,6 +218,8 @@ private slots:
     void thePatchUnderThePointerIsTold()
     {
         makeTerrain();
+        QTest::mouseMove(&view(), pixelOf(40, 50));  // the first one enters the view
+        QTest::qWait(50);
         QTest::mouseMove(&view(), pixelOf(50, 60));
         QTRY_VERIFY(w_->session().view.ground.has_value());
         const auto& g = *w_->session().view.ground;

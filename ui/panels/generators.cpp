@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "ui/panels/look.h"
 #include "ui/parameter_form.h"
 #include "ui/terrain_edits.h"
 #include "ui/theme.h"
@@ -82,6 +83,7 @@ private:
         box->addStretch(1);
         area_->setWidget(inside);
         inside->show();
+        look::keepWide(area_);
     }
 
     /// The source that made the active terrain is shown with what it was made with.

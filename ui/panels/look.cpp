@@ -8,6 +8,8 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSvgRenderer>
 #include <QVBoxLayout>
 #include <cmath>
@@ -237,6 +239,11 @@ QWidget* emptyState(QWidget* parent, QLabel** sentence, QPushButton** button)
     }
     column->addStretch(1);
     return page;
+}
+
+void keepWide(QScrollArea* area)
+{
+    area->setMinimumWidth(area->widget()->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width() + 2 * area->frameWidth());
 }
 
 SectionBar::SectionBar(const QString& title, QWidget* parent) : QWidget(parent), title_(title)

@@ -13,6 +13,7 @@
 class QLabel;
 class QPainter;
 class QPushButton;
+class QScrollArea;
 
 namespace mw::look {
 
@@ -40,6 +41,8 @@ QString counted(size_t n, const QString& one, const QString& many);
 QFont monospace();
 /// One sentence and, with a `button`, one thing to do; top aligned.
 QWidget* emptyState(QWidget* parent, QLabel** sentence, QPushButton** button = nullptr);
+/// A form that scrolls up and down alone is never narrower than what is in it: its dock is as wide as that.
+void keepWide(QScrollArea* area);
 /// A heading bar of a section: bold title, a figure beside it.
 class SectionBar : public QWidget {
     Q_OBJECT

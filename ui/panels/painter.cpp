@@ -116,6 +116,7 @@ public:
         makeLayers(inside);
         box_->addStretch(1);
         area_->setWidget(inside);
+        look::keepWide(area_);
         outer->addWidget(area_, 1);
         outer->addWidget(makeFiles());
         subscription_ = session_.document.subscribe([this](const Change&) { refresh(); });

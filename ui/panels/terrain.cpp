@@ -121,6 +121,7 @@ public:
         box->addWidget(card_);
         box->addStretch(1);
         area_->setWidget(inside);
+        look::keepWide(area_);
         outer->addWidget(area_, 1);
         join(ground_, [](Terrain& t, const ParameterValues& v) {
             const auto f = forms::filled<GroundForm>(v);

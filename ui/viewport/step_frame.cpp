@@ -85,14 +85,18 @@ void lookAtLab(const Session& s, Camera& camera, double aspect)
     camera.azimuth = glm::radians(lesson ? lesson->scene.azimuth : 30);
     camera.elevation = glm::radians(lesson ? lesson->scene.elevation : 20);
     Frame frame = labFrame(s);
-    Bounds bounds = boundsOf(frame);
-    for (const MarkPoint& p : frame.points) bounds.add(glm::dvec3(p.atWorld));
+    Bounds bounds = boundsOf(frame), marked = bounds;
+    for (const MarkPoint& p : frame.points) marked.add(glm::dvec3(p.atWorld));
+    // A target's cross has an arm out of the plane; what it is a target of says whether there is a plane.
+    const Bounds& shape = bounds.empty ? marked : bounds;
+    const bool flat = !shape.empty && shape.size().z <= 1e-6 * shape.diagonal();
+    bounds = marked;
     if (bounds.empty) {  // a source has made nothing yet: its unit square or sphere
         const bool sphere = s.steps.operation()->yields == Kind::Rotations;
         bounds.add(sphere ? glm::dvec3(-1) : glm::dvec3(-0.5, 0, -0.5));
         bounds.add(sphere ? glm::dvec3(1) : glm::dvec3(0.5, 0.35, 0.5));
     }
-    camera.perspective = camera.azimuth != 0 || camera.elevation != 0 || bounds.size().z > 1e-6 * bounds.diagonal();
+    camera.perspective = camera.azimuth != 0 || camera.elevation != 0 || !flat;
     // Chains swing round and curves overshoot: some room.
     const glm::dvec3 room = 0.25 * bounds.size();
     bounds.add(bounds.min - room);

@@ -187,8 +187,8 @@ void Viewport::enterOrLeaveLab()
     } else {
         return;
     }
-    refresh();
     emit cameraMoved();
+    session_.view.touch();  // the header says what kind of camera it is
 }
 
 // From the middle of the scene through the focus outwards: there it is seen on anything that bulges.

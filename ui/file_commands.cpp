@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/io/io.h"
+#include "core/scene/adopt_clips.h"
 #include "ui/evaluation_service.h"
 
 namespace mw {
@@ -109,6 +110,7 @@ void FileCommands::import(const QStringList& files)
                 warmAll(read->scene);
                 return [this, file, read] {
                     Scene next = session_.document.scene();
+                    if (read->scene.meshes().empty() && takeMotion(file, *read)) return;
                     const std::vector<NodeId> roots = next.merge(read->scene);
                     session_.document.commit("Import " + nameOf(file).toStdString(), std::move(next), {roots, {}, {}});
                     remember(file);
@@ -117,6 +119,21 @@ void FileCommands::import(const QStringList& files)
                 };
             },
             [this](const QString& text) { emit trouble(text + " The open scene is as it was."); });
+}
+
+// A file of motion alone goes to the character it is for, when there is one.
+bool FileCommands::takeMotion(const QString& file, const Imported& read)
+{
+    Scene next = session_.document.scene();
+    const std::vector<ClipId> clips = adoptClips(next, read.scene);
+    if (clips.empty()) return false;
+    session_.document.commit("Import motion " + nameOf(file).toStdString(), std::move(next));
+    session_.view.clip = clips.front();
+    session_.view.setTime(0);
+    session_.view.touch();
+    remember(file);
+    emit notice("Added the motion of " + nameOf(file) + " to the character.", read.warnings);
+    return true;
 }
 
 void FileCommands::saveTo(const QString& file, std::function<void()> then)

@@ -50,6 +50,7 @@ signals:
 
 private:
     void remember(const QString& file);
+    bool takeMotion(const QString& file, const struct Imported& read);
     Session& session_;
     QWidget* window_;
     bool project_ = false;  // the open file is one of ours

@@ -3,7 +3,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/cli/output.h"
 #include "core/error.h"
+#include "core/io/io.h"
+#include "core/scene/adopt_clips.h"
 
 namespace mw::cli {
 
@@ -33,6 +36,15 @@ const Clip& clipOf(const std::string& file, const Scene& scene, const ClipOption
         known += (i ? ", #" : "#") + std::to_string(i) + " \"" + clip.name + "\"";
     }
     throw Error(file, "there is no clip \"" + *options.clip + "\"; it has " + known);
+}
+
+void addMotion(Scene& scene, const std::string& file, const std::string& motion, Progress* progress)
+{
+    const Imported in = readFile(motion, progress);
+    warn(motion, in.warnings);
+    if (in.scene.clips().empty()) throw Error(motion, "there is no clip in it");
+    if (adoptClips(scene, in.scene).empty())
+        throw Error(motion, "its clips move another skeleton than that of " + file + ": names or bone lengths differ");
 }
 
 }  // namespace mw::cli

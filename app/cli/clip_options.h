@@ -19,4 +19,7 @@ ClipOptions takeClipOptions(Arguments& arguments);
 /// The clip that is meant, the first one when none is named. Throws Error that lists those there are.
 const Clip& clipOf(const std::string& file, const Scene& scene, const ClipOptions& options);
 
+/// Adds the clips of the file `motion` to the scene of `file`: same skeleton, joints by name (core/scene/adopt_clips.h). Throws Error when none fits.
+void addMotion(Scene& scene, const std::string& file, const std::string& motion, Progress* progress);
+
 }  // namespace mw::cli

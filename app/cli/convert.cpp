@@ -1,6 +1,7 @@
 // convert IN OUT: by ending, all that the target format can hold.
 #include <iostream>
 
+#include "app/cli/clip_options.h"
 #include "app/cli/output.h"
 #include "app/cli/verb.h"
 #include "core/io/io.h"
@@ -12,12 +13,14 @@ namespace {
 int run(Arguments& arguments)
 {
     const bool keep = arguments.flag("--project"), ascii = arguments.flag("--ascii");
+    const std::optional<std::string> motion = arguments.value("--motion");
     const std::vector<std::string> files = arguments.finish({"IN", "OUT"});
     std::vector<Warning> lost;
     {
         Working working("reading " + files[0]);
-        const Imported in = readFile(files[0], working.progress());
+        Imported in = readFile(files[0], working.progress());
         warn(files[0], in.warnings);
+        if (motion) addMotion(in.scene, files[0], *motion, working.progress());
         working.now("writing " + files[1]);
         lost = writeFile(in.scene, files[1], {.project = keep || in.project, .binary = !ascii}, working.progress());
     }
@@ -28,8 +31,9 @@ int run(Arguments& arguments)
 }  // namespace
 
 const Verb convertVerb{"convert", "from one file format to another",
-                       "convert IN OUT [--project] [--ascii]\n\n"
+                       "convert IN OUT [--motion FILE] [--project] [--ascii]\n\n"
                        "Formats are known by the ending. What the target format cannot hold is said on standard error.\n"
+                       "  --motion    also the clips of this file, made for the skeleton of IN (same names of joints)\n"
                        "  --project   glTF: also keep polygons and modifiers, so that Meshwright can go on editing (a project does so anyway)\n"
                        "  --ascii     PLY: as text\n",
                        run};

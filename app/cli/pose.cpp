@@ -106,6 +106,7 @@ Mesh bonesOf(const Joints& joints)
 struct Job {
     std::string in, out;
     ClipOptions clip;
+    std::optional<std::string> motion;
     bool table() const { return ending(out) == ".csv" || ending(out) == ".json"; }
 };
 
@@ -155,7 +156,8 @@ void work(const Job& job)
     std::string written, when = ", at rest: there is no clip";
     {
         Working working("reading " + job.in);
-        const Imported in = readFile(job.in, working.progress());
+        Imported in = readFile(job.in, working.progress());
+        if (job.motion) addMotion(in.scene, job.in, *job.motion, working.progress());
         warn(job.in, in.warnings);
         ScenePose pose;
         double time = 0;
@@ -177,6 +179,7 @@ int run(Arguments& arguments)
 {
     Job job;
     job.clip = takeClipOptions(arguments);
+    job.motion = arguments.value("--motion");
     const std::optional<std::string> out = arguments.value("--output", "-o");
     job.in = arguments.finish({"FILE"})[0];
     if (!job.clip.time) throw UsageError("--time S is missing");
@@ -195,12 +198,13 @@ int run(Arguments& arguments)
 }  // namespace
 
 const Verb poseVerb{"pose", "a character or an animated scene as it stands at one time",
-                    "pose FILE [--clip NAME|#INDEX] --time S -o OUT\n\n"
+                    "pose FILE [--clip NAME|#INDEX] [--motion FILE] --time S -o OUT\n\n"
                     "Modifiers are evaluated, skins, morph targets and the motion of nodes applied; OUT holds what stands there, in world space, in\n"
                     "metres where FILE says its unit (else in FILE's own), without skins and clips. A mesh file (.glb .gltf .obj .ply) takes the\n"
                     "meshes; of a skeleton without a mesh it takes joints as vertices and bones as lines. .csv and .json take the places of the\n"
                     "joints: joint,x,y,z.\n"
                     "  --clip    by name or by number from #0; the first one when left out. A file without clips stands at rest\n"
+                    "  --motion  also the clips of this file, made for the same skeleton (same names of joints)\n"
                     "  --time    seconds from the start of the clip; outside of it its first or last pose is taken\n\n"
                     "  meshwright pose walk.bvh --time 0.5 -o joints.csv\n"
                     "  meshwright pose cesium_man.gltf --time 1 -o step.ply\n",

@@ -77,6 +77,7 @@ int run(Arguments& arguments)
     const bool transparent = arguments.flag("--transparent");
     const std::string show = arguments.value("--show").value_or("");
     const ClipOptions when = takeClipOptions(arguments);
+    const std::optional<std::string> motion = arguments.value("--motion");
     const std::vector<std::string> files = arguments.finish({"FILE"});
     if (!out) throw UsageError("say where the picture goes: -o PNG");
     if (!show.empty() && show != "mesh" && show != "bones" && show != "both")
@@ -87,7 +88,8 @@ int run(Arguments& arguments)
         throw UsageError("--view wants front, back, left, right, top, bottom or AZIMUTH,ELEVATION in degrees, not \"" + view + "\"");
 
     Working working("reading " + files[0]);
-    const Imported in = readFile(files[0], working.progress());
+    Imported in = readFile(files[0], working.progress());
+    if (motion) addMotion(in.scene, files[0], *motion, working.progress());
     warn(files[0], in.warnings);
     std::map<MeshId, Mesh> shownMeshes;
     for (const MeshId id : in.scene.meshes()) shownMeshes[id] = evaluated(*in.scene.find(id), working.progress());
@@ -112,17 +114,19 @@ int run(Arguments& arguments)
 
 }  // namespace
 
-const Verb renderVerb{"render", "a picture of a file, without a display",
-                      "render FILE -o PNG [--time S] [--clip NAME|#INDEX] [--show mesh|bones|both] [--size WxH] [--style STYLE] [--view VIEW]\n"
-                      "       [--theme dark|light] [--transparent]\n\n"
-                      "  --time S        seconds into the clip; without --time and --clip the file rests\n"
-                      "  --clip CLIP     by name, or #0 for the first one, which is taken unless said\n"
-                      "  --show WHAT     mesh, bones or both; the mesh unless said, bones where there is no mesh\n"
-                      "  --size WxH      pixels, 1280x800 unless said\n"
-                      "  --style STYLE   shaded (as the materials say), flat (faces and edges), wire, or heat:METRIC[:k=v,...], where METRIC is a\n"
-                      "                  query of `meshwright algorithms` that gives a number for each vertex or face (heat:vertex-valence)\n"
-                      "  --view VIEW     front, back, left, right, top, bottom, or AZIMUTH,ELEVATION in degrees; 32,17 unless said\n"
-                      "  --transparent   the model alone, nothing behind it\n",
-                      run};
+const Verb renderVerb{
+    "render", "a picture of a file, without a display",
+    "render FILE -o PNG [--time S] [--clip NAME|#INDEX] [--motion FILE] [--show mesh|bones|both] [--size WxH] [--style STYLE] [--view VIEW]\n"
+    "       [--theme dark|light] [--transparent]\n\n"
+    "  --time S        seconds into the clip; without --time and --clip the file rests\n"
+    "  --clip CLIP     by name, or #0 for the first one, which is taken unless said\n"
+    "  --motion FILE   also the clips of this file, made for the same skeleton (same names of joints)\n"
+    "  --show WHAT     mesh, bones or both; the mesh unless said, bones where there is no mesh\n"
+    "  --size WxH      pixels, 1280x800 unless said\n"
+    "  --style STYLE   shaded (as the materials say), flat (faces and edges), wire, or heat:METRIC[:k=v,...], where METRIC is a\n"
+    "                  query of `meshwright algorithms` that gives a number for each vertex or face (heat:vertex-valence)\n"
+    "  --view VIEW     front, back, left, right, top, bottom, or AZIMUTH,ELEVATION in degrees; 32,17 unless said\n"
+    "  --transparent   the model alone, nothing behind it\n",
+    run};
 
 }  // namespace mw::cli

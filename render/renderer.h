@@ -16,7 +16,8 @@
 
 namespace mw {
 
-enum class Shading { Smooth, Flat, Wire };
+enum class Shading { Smooth, Flat, Wire, Matcap };
+enum class Lighting { ThreePoint, Environment };
 enum class Theme { Dark, Light };
 
 /// Values of a table on a mesh, as colours.
@@ -95,8 +96,13 @@ struct ViewOptions {
     bool wireOverlay = false, xray = false, grid = true, axes = true, orientationMarker = true, legend = true;
     bool transparentBackground = false;
     bool normalsNeedles = false;
-    int samples = 4;        ///< wanted multisampling of off-screen pictures
-    double pixelRatio = 1;  ///< device pixels a logical pixel
+    Lighting lighting = Lighting::ThreePoint;
+    double environmentTurn = 0;   ///< radians about +Y
+    bool shadows = false;         ///< of the key light, on objects and on the ground
+    bool checker = false;         ///< squares by texture coordinate in place of the base colour
+    std::string matcap = "clay";  ///< name of the sphere that Shading::Matcap looks up
+    int samples = 4;              ///< wanted multisampling of off-screen pictures
+    double pixelRatio = 1;        ///< device pixels a logical pixel
 };
 
 struct Frame {

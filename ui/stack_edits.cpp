@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/scene/edit.h"
+
 namespace mw::edits {
 namespace {
 
@@ -107,27 +109,12 @@ void removeNodes(Document& d, const std::vector<NodeId>& nodes)
 
 void setVisible(Document& d, const std::vector<NodeId>& nodes, bool visible)
 {
-    Scene next = d.scene();
-    bool any = false;
-    for (NodeId id : nodes) {
-        Node n = next.node(id);
-        any = any || n.visible != visible;
-        n.visible = visible;
-        next.set(id, std::move(n));
-    }
-    if (!any) return;
-    const std::string what = nodes.size() == 1 ? d.scene().node(nodes[0]).name : std::to_string(nodes.size()) + " nodes";
-    d.commit((visible ? "Show " : "Hide ") + what, std::move(next));
+    if (!nodes.empty()) commitEdit(d, {"show", {{"nodes", nodeText(d.scene(), nodes)}, {"visible", visible}}});
 }
 
 void rename(Document& d, NodeId id, const QString& name)
 {
-    Scene next = d.scene();
-    Node n = next.node(id);
-    if (name.trimmed().isEmpty() || n.name == name.toStdString()) return;
-    n.name = name.trimmed().toStdString();
-    next.set(id, std::move(n));
-    d.commit("Rename to " + name.trimmed().toStdString(), std::move(next));
+    if (!name.trimmed().isEmpty()) commitEdit(d, {"rename", {{"node", nodeText(d.scene(), id)}, {"name", name.trimmed().toStdString()}}});
 }
 
 }  // namespace mw::edits

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <glm/matrix.hpp>
 #include <new>
 
 #include "core/io/bvh.h"
@@ -93,11 +94,22 @@ const std::vector<FileFormat>& fileFormats()
     return formats;
 }
 
-Imported readFile(const fs::path& file, Progress* progress)
+namespace {
+
+/// Metres and +Y up from the numbers of a file.
+glm::dmat4 sceneFromFile(const Placement& p)
+{
+    const double s = p.metresPerUnit;
+    if (p.up == UpAxis::Z) return {{s, 0, 0, 0}, {0, 0, -s, 0}, {0, s, 0, 0}, {0, 0, 0, 1}};
+    if (p.up == UpAxis::X) return {{0, s, 0, 0}, {-s, 0, 0, 0}, {0, 0, s, 0}, {0, 0, 0, 1}};
+    return {{s, 0, 0, 0}, {0, s, 0, 0}, {0, 0, s, 0}, {0, 0, 0, 1}};
+}
+
+Imported read(const fs::path& file, Progress* progress)
 {
     constexpr std::string_view sample = "sample:";
     if (const std::string name = file.string(); name.starts_with(sample))
-        return {sampleScene(std::string_view(name).substr(sample.size())), {}, "made by the program", "metres"};
+        return {sampleScene(std::string_view(name).substr(sample.size())), {}, "made by the program", "metres", false, {}, true};
     try {
         switch (typeOf(file, readStart(file, size_t(1) << 16))) {
             case Type::Obj:
@@ -119,6 +131,30 @@ Imported readFile(const fs::path& file, Progress* progress)
         throw Error(file.string(), "there is not enough memory to read it");
     }
     throw Error(file.string(), "its kind is not known; these can be read: " + listOfFormats(&FileFormat::reads));
+}
+
+}  // namespace
+
+void placeAgain(Scene& scene, const std::vector<NodeId>& roots, const Placement& from, const Placement& to)
+{
+    const glm::dmat4 change = sceneFromFile(to) * glm::inverse(sceneFromFile(from));
+    for (const NodeId id : roots) {
+        Node n = scene.node(id);
+        n.local = transformOf(change * n.local.matrix());
+        scene.set(id, std::move(n));
+    }
+}
+
+Imported readFile(const fs::path& file, Progress* progress, const ImportOptions& options)
+{
+    if (options.metresPerUnit && !(*options.metresPerUnit > 0 && *options.metresPerUnit < 1e12))
+        throw Error(file.string(), "a unit must be longer than 0 metres");
+    Imported in = read(file, progress);
+    const Placement wanted{options.metresPerUnit.value_or(in.placement.metresPerUnit), options.up.value_or(in.placement.up)};
+    if (wanted == in.placement) return in;
+    placeAgain(in.scene, in.scene.roots(), in.placement, wanted);
+    in.placement = wanted;
+    return in;
 }
 
 std::vector<Warning> writeFile(const Scene& scene, const fs::path& file, const WriteOptions& options, Progress* progress)

@@ -2,6 +2,7 @@
 // multiple of the file's size whatever its header claims.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,28 @@ namespace mw {
 
 class Evaluator;
 
+enum class UpAxis { Y, Z, X };
+
+/// How the numbers of a file are meant. Everything in a scene is metres, +Y up: what is read is turned and scaled at its roots.
+struct Placement {
+    double metresPerUnit = 1;
+    UpAxis up = UpAxis::Y;
+    bool operator==(const Placement&) const = default;
+};
+
+struct ImportOptions {
+    std::optional<double> metresPerUnit = {};  ///< overrules the file; > 0
+    std::optional<UpAxis> up = {};
+};
+
 struct Imported {
     Scene scene;
     std::vector<Warning> warnings;
-    std::string format;    ///< "OBJ", "PLY (binary, little-endian)", ...
-    std::string units;     ///< "metres", or "unknown" when the format does not say
-    bool project = false;  ///< it carried MESHWRIGHT_project: opens as it was saved
+    std::string format;              ///< "OBJ", "PLY (binary, little-endian)", ...
+    std::string units;               ///< "metres", or "unknown" when the format does not say
+    bool project = false;            ///< it carried MESHWRIGHT_project: opens as it was saved
+    Placement placement = {};        ///< what was assumed, or asked for, or said by the file
+    bool placementFromFile = false;  ///< the file said so
 };
 
 struct FileFormat {
@@ -29,12 +46,15 @@ struct FileFormat {
 const std::vector<FileFormat>& fileFormats();
 
 /// By content, then by ending; "sample:NAME" is a scene made by the program. Throws Error, Cancelled.
-Imported readFile(const std::filesystem::path& file, Progress* progress = nullptr);
+Imported readFile(const std::filesystem::path& file, Progress* progress = nullptr, const ImportOptions& options = {});
+/// Roots of a scene that was read one way, as if it had been read the other way.
+void placeAgain(Scene& scene, const std::vector<NodeId>& roots, const Placement& from, const Placement& to);
 
 struct WriteOptions {
     bool project = false;               ///< glTF only: add what is needed to go on editing
-    bool binary = true;                 ///< PLY
+    bool binary = true;                 ///< PLY, STL, OFF
     bool bigEndian = false;             ///< PLY, binary
+    Placement placement = {};           ///< the numbers in the file are meant so; glTF is always metres, +Y up
     Evaluator* evaluator = nullptr;     ///< glTF: one that may know results of the stacks already; null: they are computed
     size_t terrainTriangles = 200'000;  ///< most triangles of each terrain, which becomes a mesh in all formats but pictures
 };

@@ -73,18 +73,18 @@ Document::Document() : scene_(std::make_shared<const Scene>())
     history_.push_back({"New scene", scene_, {}, std::chrono::system_clock::now()});
 }
 
-void Document::commit(std::string name, Scene next)
+void Document::commit(std::string name, Scene next, std::vector<EditCall> calls)
 {
     const Selection kept = valid(selection_, *scene_, next);
-    commit(std::move(name), std::move(next), kept);
+    commit(std::move(name), std::move(next), kept, std::move(calls));
 }
 
-void Document::commit(std::string name, Scene next, Selection selection)
+void Document::commit(std::string name, Scene next, Selection selection, std::vector<EditCall> calls)
 {
     if (savedPosition_ != never && savedPosition_ > position_) savedPosition_ = never;  // the saved state is being cut off
     history_.resize(position_ + 1);
     auto scene = std::make_shared<const Scene>(std::move(next));
-    history_.push_back({std::move(name), scene, selection, std::chrono::system_clock::now()});
+    history_.push_back({std::move(name), scene, selection, std::chrono::system_clock::now(), std::move(calls)});
     ++position_;
     boundHistory();
     previewing_ = false;

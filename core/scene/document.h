@@ -47,6 +47,13 @@ constexpr bool operator&(Aspect a, Aspect b)
     return (unsigned(a) & unsigned(b)) != 0;
 }
 
+/// One edit of the list in core/scene/edit.h, as it was called.
+struct EditCall {
+    std::string id;
+    ParameterValues values;
+    bool operator==(const EditCall&) const = default;
+};
+
 struct Change {
     Aspect aspects;
     std::set<NodeId> nodes;  ///< those concerned; empty: ask the scene
@@ -60,9 +67,10 @@ public:
     std::shared_ptr<const Scene> snapshot() const { return scene_; }
     const Selection& selection() const { return selection_; }
 
-    /// One history entry. What changed is found by comparing. Ends a preview.
-    void commit(std::string name, Scene next);
-    void commit(std::string name, Scene next, Selection selection);
+    /// One history entry. What changed is found by comparing. Ends a preview. `calls` are the edits that do the same again; none: no command
+    /// line can repeat it.
+    void commit(std::string name, Scene next, std::vector<EditCall> calls = {});
+    void commit(std::string name, Scene next, Selection selection, std::vector<EditCall> calls = {});
     /// Shown, but in no history: a drag that goes on. The next commit or cancelPreview() ends it.
     void preview(Scene next);
     void cancelPreview();
@@ -73,6 +81,7 @@ public:
         std::shared_ptr<const Scene> scene;
         Selection selection;
         std::chrono::system_clock::time_point at;
+        std::vector<EditCall> calls = {};
     };
     const std::vector<Entry>& history() const { return history_; }
     size_t historyPosition() const { return position_; }  ///< of the present entry

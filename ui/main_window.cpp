@@ -20,7 +20,7 @@
 #include "ui/file_commands.h"
 #include "ui/panels/timeline.h"
 #include "ui/playback.h"
-#include "ui/samples.h"
+#include "core/scene/samples.h"
 #include "ui/status_strip.h"
 #include "ui/steps/transport_strip.h"
 #include "ui/theme.h"

@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "ui/samples.h"
+#include "core/scene/samples.h"
 #include "ui/theme.h"
 
 namespace mw {

@@ -1,101 +1,30 @@
 #include "core/scene/samples.h"
 
-#include "core/character/mannequin.h"
 #include "core/error.h"
 
 namespace mw {
 
-namespace {
-
-std::vector<NodeId> addJoints(Scene& scene, const Skeleton& skeleton, NodeId root)
+const std::vector<Sample>& samples()
 {
-    std::vector<NodeId> ids;
-    for (const Joint& j : skeleton.joints) {
-        Node n;
-        n.name = j.name;
-        n.local = j.rest;
-        n.joint = j.end ? Node::Joint::EndSite : Node::Joint::Joint;
-        ids.push_back(scene.add(std::move(n), j.parent == none ? root : ids[j.parent]));
-    }
-    return ids;
+    static const std::vector<Sample> all{
+        {"blossom", "Blossom", "A coarse star, rounded by Loop subdivision", blossomScene},
+        {"rock", "Scanned rock", "81,000 faces with the holes a scanner leaves: fill, simplify", rockScene},
+        {"quadruped", "Dog", "A closed body of quads: subdivide, deform, smooth", quadrupedScene},
+        {"gears", "Gears", "Three wheels of genus 5, 6 and 7, with sharp edges", gearsScene},
+        {"broken", "Broken pear", "Every defect the inspector knows: repair it", brokenScene},
+        {"mannequin", "Mannequin", "A figure with skeleton and skin that walks and breathes", mannequinScene},
+        {"terrain", "Terrain", "Hills and a lake by diamond-square: paint on it", terrainScene},
+    };
+    return all;
 }
 
-Clip clipOf(const MannequinMotion& motion, const std::vector<NodeId>& joints)
+Scene sampleScene(std::string_view id)
 {
-    Clip clip;
-    clip.name = motion.name;
-    const Shared<double> times(Array<double>(motion.times.begin(), motion.times.end()));
-    Array<double> places;
-    for (const glm::dvec3& p : motion.hips) places.insert(places.end(), {p.x, p.y, p.z});
-    clip.channels.push_back(
-        std::make_shared<const Channel>(Channel{joints[0], Channel::Path::Translation, Channel::Interpolation::Linear, 3, times, places}));
-    for (size_t j = 0; j < motion.rotations.size(); ++j) {
-        if (motion.rotations[j].empty()) continue;
-        Array<double> turns;
-        for (const glm::dquat& q : motion.rotations[j]) turns.insert(turns.end(), {q.x, q.y, q.z, q.w});
-        clip.channels.push_back(
-            std::make_shared<const Channel>(Channel{joints[j], Channel::Path::Rotation, Channel::Interpolation::Linear, 4, times, turns}));
-    }
-    return clip;
-}
-
-Scene mannequinScene()
-{
-    const Mannequin m = mannequin();
-    Scene scene;
-    Node root;
-    root.name = "Mannequin";
-    const NodeId top = scene.add(std::move(root));
-    const std::vector<NodeId> joints = addJoints(scene, m.skeleton, top);
-    Skin skin;
-    skin.name = "Mannequin";
-    for (size_t j = 0; j < joints.size(); ++j)
-        if (!m.skeleton.joints[j].end) {
-            skin.joints.push_back(joints[j]);
-            skin.inverseBind.push_back(m.inverseBind[j]);
-        }
-    Material wood;
-    wood.name = "Beech";
-    wood.baseColor = {0.66, 0.47, 0.30, 1};
-    wood.roughness = 0.55;
-    MeshObject body;
-    body.name = "Body";
-    body.base = m.mesh;
-    body.materials.push_back(scene.add(std::move(wood)));
-    Node shown;
-    shown.name = "Body";
-    shown.mesh = scene.add(std::move(body));
-    shown.skin = scene.add(std::move(skin));
-    scene.add(std::move(shown), top);
-    for (const MannequinMotion& motion : m.motions) scene.add(clipOf(motion, joints));
-    return scene;
-}
-
-struct Sample {
-    std::string_view name;
-    Scene (*make)();
-};
-constexpr Sample all[] = {{"mannequin", mannequinScene}};
-
-}  // namespace
-
-const std::vector<std::string_view>& sampleNames()
-{
-    static const std::vector<std::string_view> names = [] {
-        std::vector<std::string_view> list;
-        for (const Sample& s : all) list.push_back(s.name);
-        return list;
-    }();
-    return names;
-}
-
-Scene sampleScene(std::string_view name)
-{
-    for (const Sample& s : all)
-        if (s.name == name) return s.make();
+    for (const Sample& s : samples())
+        if (s.id == id) return s.make();
     std::string list;
-    for (const std::string_view n : sampleNames()) list += (list.empty() ? "" : ", ") + std::string(n);
-    throw Error("sample:" + std::string(name), "there is no such sample; there are: " + list);
+    for (const Sample& s : samples()) list += (list.empty() ? "" : ", ") + std::string(s.id);
+    throw Error("sample:" + std::string(id), "there is no such sample; there are: " + list);
 }
 
 }  // namespace mw

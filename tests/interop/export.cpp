@@ -163,7 +163,7 @@ void generated(const std::filesystem::path& folder)
     both(oddMaterials(), folder, "odd_materials");
     both(degenerate(), folder, "degenerate");
     both(deepTree(), folder, "deep");
-    for (const std::string_view name : sampleNames()) both(sampleScene(name), folder, "sample_" + std::string(name));
+    for (const Sample& s : samples()) both(s.make(), folder, "sample_" + std::string(s.id));
 }
 
 // With half of the faces of each mesh; what hangs on vertices goes through the stack.

@@ -11,7 +11,7 @@
 #include "ui/file_commands.h"
 #include "ui/main_window.h"
 #include "ui/playback.h"
-#include "ui/samples.h"
+#include "core/scene/samples.h"
 #include "ui/stack_edits.h"
 #include "ui/steps/step_player.h"
 #include "ui/terrain_edits.h"

@@ -16,7 +16,7 @@
 #include "ui/file_commands.h"
 #include "ui/main_window.h"
 #include "ui/parameter_form.h"
-#include "ui/samples.h"
+#include "core/scene/samples.h"
 #include "ui/stack_edits.h"
 #include "ui/steps/step_player.h"
 #include "ui/viewport/viewport.h"

@@ -11,7 +11,9 @@
 #include "core/io/gltf.h"
 #include "core/io/height_picture.h"
 #include "core/io/obj.h"
+#include "core/io/off.h"
 #include "core/io/ply.h"
+#include "core/io/stl.h"
 #include "core/scene/samples.h"
 
 namespace mw {
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-enum class Type { Unknown, Obj, Ply, Gltf, Bvh, HeightPicture, Foreign };
+enum class Type { Unknown, Obj, Off, Ply, Stl, Gltf, Bvh, HeightPicture, Foreign };
 
 std::string ending(const fs::path& file)
 {
@@ -33,7 +35,9 @@ Type byEnding(const fs::path& file)
 {
     const std::string e = ending(file);
     if (e == ".obj") return Type::Obj;
+    if (e == ".off") return Type::Off;
     if (e == ".ply") return Type::Ply;
+    if (e == ".stl") return Type::Stl;
     if (e == ".gltf" || e == ".glb") return Type::Gltf;
     if (e == ".bvh") return Type::Bvh;
     if (e == ".png" || e == ".tga" || e == ".pgm") return Type::HeightPicture;
@@ -42,11 +46,13 @@ Type byEnding(const fs::path& file)
 }
 
 /// Only what cannot be mistaken.
-Type byContent(std::string_view start)
+Type byContent(std::string_view start, uint64_t size)
 {
     if (start.starts_with("ply\n") || start.starts_with("ply\r")) return Type::Ply;
     if (start.starts_with("glTF")) return Type::Gltf;
     if (start.starts_with("HIERARCHY\n") || start.starts_with("HIERARCHY\r")) return Type::Bvh;
+    if (isStl(start, size)) return Type::Stl;
+    if (isOff(start)) return Type::Off;
     return Type::Unknown;
 }
 
@@ -59,7 +65,9 @@ bool looksLikeObj(std::string_view start)
 
 Type typeOf(const fs::path& file, std::string_view start)
 {
-    if (Type t = byContent(start); t != Type::Unknown) return t;
+    std::error_code e;
+    const uint64_t size = fs::file_size(file, e);
+    if (Type t = byContent(start, e ? start.size() : size); t != Type::Unknown) return t;
     if (Type t = byEnding(file); t != Type::Unknown) return t;
     if (looksLikeObj(start)) return Type::Obj;
     const size_t first = start.find_first_not_of(" \t\r\n");
@@ -84,12 +92,20 @@ std::string listOfFormats(bool FileFormat::*can)
 const std::vector<FileFormat>& fileFormats()
 {
     static const std::vector<FileFormat> formats{
-        {"glTF 2.0", {".glb", ".gltf"}, true, true}, {"Wavefront OBJ", {".obj"}, true, true},
-        {"Stanford PLY", {".ply"}, true, true},      {"Biovision BVH", {".bvh"}, true, true},
-        {"Height map PNG", {".png"}, true, true},    {"Height map TGA", {".tga"}, true, false},
-        {"Height map PGM", {".pgm"}, true, false},   {"Autodesk FBX", {".fbx"}, true, false},
-        {"DirectX X", {".x"}, true, false},          {"id Software MD5", {".md5mesh", ".md5anim"}, true, false},
-        {"COLLADA", {".dae"}, true, false},          {"3D Studio", {".3ds"}, true, false},
+        {"glTF 2.0", {".glb", ".gltf"}, true, true},
+        {"Wavefront OBJ", {".obj"}, true, true},
+        {"Stanford PLY", {".ply"}, true, true},
+        {"Object file format OFF", {".off"}, true, false},
+        {"STL", {".stl"}, true, false},
+        {"Biovision BVH", {".bvh"}, true, true},
+        {"Height map PNG", {".png"}, true, true},
+        {"Height map TGA", {".tga"}, true, false},
+        {"Height map PGM", {".pgm"}, true, false},
+        {"Autodesk FBX", {".fbx"}, true, false},
+        {"DirectX X", {".x"}, true, false},
+        {"id Software MD5", {".md5mesh", ".md5anim"}, true, false},
+        {"COLLADA", {".dae"}, true, false},
+        {"3D Studio", {".3ds"}, true, false},
     };
     return formats;
 }
@@ -114,8 +130,12 @@ Imported read(const fs::path& file, Progress* progress)
         switch (typeOf(file, readStart(file, size_t(1) << 16))) {
             case Type::Obj:
                 return readObj(file, progress);
+            case Type::Off:
+                return readOff(file, progress);
             case Type::Ply:
                 return readPly(file, progress);
+            case Type::Stl:
+                return readStl(file, progress);
             case Type::Gltf:
                 return readGltf(file, progress);
             case Type::Bvh:
@@ -171,6 +191,8 @@ std::vector<Warning> writeFile(const Scene& scene, const fs::path& file, const W
         case Type::HeightPicture:
             if (ending(file) == ".png") return writeHeightPicture(scene, file, progress);
             break;
+        case Type::Off:
+        case Type::Stl:
         case Type::Foreign:
         case Type::Unknown:
             break;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/io/checked_faces.h"
+#include "core/io/corner_values.h"
 #include "core/io/ply.h"
 #include "core/io/ply_rows.h"
 
@@ -113,7 +114,6 @@ private:
     void checkPrecision(const Array<double>& exact);
     Mesh build();
     Mesh withAttributes(Mesh mesh, const CheckedFaces& kept);
-    Attribute atCorners(const Attribute& a, const Mesh& mesh);
     void mendValues(Incoming& in);
     std::vector<PlyColumn> columnsOf(const PlyElement& e) const
     {
@@ -441,21 +441,6 @@ void Reader::mendValues(Incoming& in)
             findings_.add(valueFinding);
             v = 0;
         }
-}
-
-/// Values of vertices or faces spread to their corners.
-Attribute Reader::atCorners(const Attribute& a, const Mesh& mesh)
-{
-    if (a.domain == Domain::Vertex) {
-        Attribute c = gathered(a, mesh.cornerVertex());
-        c.domain = Domain::Corner;
-        return c;
-    }
-    Array<uint32_t> from(mesh.cornerCount());
-    for (uint32_t f = 0; f < mesh.faceCount(); ++f) std::fill(from.begin() + mesh.faceStart()[f], from.begin() + mesh.faceStart()[f + 1], f);
-    Attribute c = gathered(a, from);
-    c.domain = Domain::Corner;
-    return c;
 }
 
 /// Floats, whatever the file has; whole numbers of colours are fractions.

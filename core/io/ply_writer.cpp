@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "core/io/corner_values.h"
 #include "core/io/ply.h"
 #include "core/io/ply_rows.h"
 #include "core/io/text_out.h"
@@ -63,7 +64,6 @@ public:
 
 private:
     void place(const Attribute& a);
-    std::optional<Attribute> gatheredIfEqual(const Attribute& a, Domain domain) const;
     void add(std::vector<Column>& to, const Attribute& a, std::vector<std::string> names, Scalar type, double times = 1);
     std::string fresh(std::set<std::string>& used, std::string_view name) const;
     void header();
@@ -101,30 +101,6 @@ std::string Writer::fresh(std::set<std::string>& used, std::string_view name) co
     return n;
 }
 
-/// Values of corners by vertex or face, when all corners there agree.
-std::optional<Attribute> Writer::gatheredIfEqual(const Attribute& a, Domain domain) const
-{
-    Array<uint32_t> corner(mesh_.count(domain), none);
-    const auto equal = [&](size_t c, size_t d) {
-        for (int k = 0; k < a.components; ++k)
-            if (std::bit_cast<uint64_t>(a.at(c, k)) != std::bit_cast<uint64_t>(a.at(d, k))) return false;
-        return true;
-    };
-    for (size_t f = 0; f < mesh_.faceCount(); ++f)
-        for (uint32_t c = mesh_.faceStart()[f]; c < mesh_.faceStart()[f + 1]; ++c) {
-            uint32_t& at = corner[domain == Domain::Vertex ? mesh_.cornerVertex()[c] : f];
-            if (at == none)
-                at = c;
-            else if (!equal(at, c))
-                return {};
-        }
-    // Vertices that no face uses have no value: that of the first corner stands for it.
-    std::replace(corner.begin(), corner.end(), none, 0u);
-    Attribute out = gathered(a, corner);
-    out.domain = domain;
-    return out;
-}
-
 void Writer::add(std::vector<Column>& to, const Attribute& a, std::vector<std::string> names, Scalar type, double times)
 {
     std::set<std::string>& used = &to == &vertexColumns_ ? vertexNames_ : faceNames_;
@@ -159,12 +135,12 @@ void Writer::place(const Attribute& a)
     if (a.domain == Domain::Vertex) return add(vertexColumns_, a, known.empty() ? numbered(a) : known, type, times);
     if (a.domain == Domain::Face) return add(faceColumns_, a, numbered(a), type);
     if (color)
-        if (auto byFace = gatheredIfEqual(a, Domain::Face)) {
+        if (auto byFace = gatheredIfEqual(a, mesh_, Domain::Face)) {
             made_.push_back(std::make_unique<Attribute>(std::move(*byFace)));
             return add(faceColumns_, *made_.back(), known, type, times);
         }
     if (!known.empty() && !mesh_.find(a.name, Domain::Vertex))
-        if (auto byVertex = gatheredIfEqual(a, Domain::Vertex)) {
+        if (auto byVertex = gatheredIfEqual(a, mesh_, Domain::Vertex)) {
             made_.push_back(std::make_unique<Attribute>(std::move(*byVertex)));
             return add(vertexColumns_, *made_.back(), known, type, times);
         }

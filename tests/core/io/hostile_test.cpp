@@ -1,7 +1,9 @@
 // Files made to hurt: whatever the bytes, a reader throws Error or gives a mesh that keeps its promises, in bounded time and memory.
+#include <bit>
 #include <chrono>
 #include <random>
 #include <sys/stat.h>
+#include <variant>
 
 #include "helpers.h"
 
@@ -25,6 +27,45 @@ std::string smallPly(bool binary, bool big)
     return bytesOf(folder.path / "m.ply");
 }
 
+const char* const smallOff =
+    "# by hand\nSTCNOFF\n4 3 0\n0 0 0 0 0 1 255 0 0 255 0 0\n1 0 0 0 0 1 0 255 0 255 1 0\n1 1 0 0 0 1 0 0 255 9 1 1\n"
+    "0 1 0 0 0 1 1 2 3 4 0 1\n3 0 1 2 255 0 0\n4 0\n1 2 3 0.5 0.5 0.5 1\n3 0 2 3 17\n";
+
+const char* const smallStl =
+    "solid one two\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 1 1e0 0\n  endloop\n endfacet\n"
+    "endsolid one two\nsolid b\nfacet normal nan 0 1 outer loop vertex 0 0 0 vertex 1 1 0 vertex 0 1 0 endloop endfacet\nendsolid\n";
+
+/// Words of four bytes, one after the other.
+std::string words(std::initializer_list<std::variant<int, float>> values, bool big)
+{
+    std::string out;
+    for (const auto& v : values) {
+        uint32_t bits = std::visit([](auto x) { return std::bit_cast<uint32_t>(x); }, v);
+        for (int i = 0; i < 4; ++i) out += char(bits >> 8 * (big ? 3 - i : i));
+    }
+    return out;
+}
+
+std::string smallBinaryOff(bool big)
+{
+    const std::string vertices = words({0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f}, big);
+    if (!big) return "OFF BINARY\n" + words({4, 2, 0}, big) + vertices + words({3, 0, 1, 2, 3, 0, 2, 3}, big);
+    return "OFF BINARY\n" + words({4, 2, 0}, big) + vertices + words({3, 0, 1, 2, 4, 1.f, 0.f, 0.f, 1.f, 3, 0, 2, 3, 0}, big);
+}
+
+std::string smallBinaryStl()
+{
+    std::string out = "solid in name only COLOR=";
+    out += "\x80\x40\x20\xff";
+    out.resize(80, ' ');
+    out += words({2}, false);
+    for (const char color : {char(0x7c), char(0x80)}) {
+        out += words({0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, -0.f}, false) + '\x1f';
+        out += color;
+    }
+    return out;
+}
+
 /// Never anything but Error or a sound mesh.
 void expectSound(const fs::path& file)
 {
@@ -40,7 +81,9 @@ void expectSound(const fs::path& file)
 
 std::vector<std::pair<std::string, std::string>> seeds()
 {
-    return {{"a.obj", smallObj}, {"a.ply", smallPly(false, false)}, {"b.ply", smallPly(true, false)}, {"c.ply", smallPly(true, true)}};
+    return {{"a.obj", smallObj},        {"a.ply", smallPly(false, false)}, {"b.ply", smallPly(true, false)}, {"c.ply", smallPly(true, true)},
+            {"a.off", smallOff},        {"b.off", smallBinaryOff(true)},   {"c.off", smallBinaryOff(false)}, {"a.stl", smallStl},
+            {"b.stl", smallBinaryStl()}};
 }
 
 TEST(Hostile, CutAnywhere)
@@ -113,6 +156,31 @@ TEST(Hostile, ListsThatPromiseTooMuch)
         EXPECT_NE(e.find("byte "), e.npos) << e;
         EXPECT_NE(e.find("'weights'"), e.npos) << e;
     }
+}
+
+TEST(Hostile, OffAndStlThatPromiseTooMuch)
+{
+    const Folder folder;
+    for (const char* counts : {"4000000000 1 0", "1 4000000000 0", "18446744073709551615 1 0", "99999999999999999999999 1 0", "-1 1 0", "3 1e9 0", "",
+                               "0 0 0", "3 2000000000 0"}) {
+        const std::string e = errorOf([&] { readFile(folder.write("a.off", std::string("OFF\n") + counts + "\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")); });
+        EXPECT_NE(e.find("line "), e.npos) << counts << ": " << e;
+    }
+    for (const char* face : {"4000000000 0 1 2", "99999999999999999999 0 1 2", "-3 0 1 2", "7 0 1 2", "3.5 0 1 2"}) {
+        const std::string e = errorOf([&] { readFile(folder.write("a.off", std::string("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n") + face)); });
+        EXPECT_NE(e.find("line 5"), e.npos) << face << ": " << e;
+    }
+    for (const bool big : {false, true})
+        for (const int count : {-1, 0x7fffffff, 1000}) {
+            for (const bool inFaces : {false, true}) {
+                const std::string head = "OFF BINARY\n" + words({inFaces ? 1 : count, inFaces ? count : 1, 0, 0.f, 0.f, 0.f, 1, 0, 0}, big);
+                EXPECT_NE(errorOf([&] { readFile(folder.write("a.off", head)); }).find("counts"), std::string::npos);
+            }
+            const std::string valence = "OFF BINARY\n" + words({1, 1, 0, 0.f, 0.f, 0.f, count, 0, 0}, big);
+            EXPECT_NE(errorOf([&] { readFile(folder.write("a.off", valence)); }).find("counts"), std::string::npos);
+            const std::string stl = std::string(80, ' ') + words({count}, big) + std::string(500, 'a');
+            EXPECT_NE(errorOf([&] { readFile(folder.write("a.stl", stl)); }).find("facets"), std::string::npos);
+        }
 }
 
 TEST(Hostile, EndlessContinuation)

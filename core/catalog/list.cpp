@@ -9,6 +9,11 @@
 #include "core/mesh/solids.h"
 #include "core/mesh/stripify.h"
 #include "core/metrics/valence.h"
+#include "core/repair/damaged_sphere.h"
+#include "core/repair/fill_holes.h"
+#include "core/repair/normalise.h"
+#include "core/repair/orient.h"
+#include "core/repair/repair.h"
 #include "core/repair/smooth.h"
 #include "core/repair/weld.h"
 #include "core/simplify/decimate_quadric.h"
@@ -72,6 +77,13 @@ std::span<const Operation> catalog()
                .category = "Primitives",
                .source = "core/mesh/solids.cpp"},
               torus),
+        entry<DamagedSphere, Mesh>({.id = "damaged-sphere",
+                                    .title = "Damaged sphere",
+                                    .section = "2.3",
+                                    .summary = "A sphere with faces turned over and holes, to try repairs on.",
+                                    .category = "Primitives",
+                                    .source = "core/repair/damaged_sphere.cpp"},
+                                   damagedSphere),
         entry<Mesh, DecimateQuadric, Mesh>({.id = "decimate-quadric",
                                             .title = "Simplify by quadrics",
                                             .section = "3.1",
@@ -90,6 +102,40 @@ std::span<const Operation> catalog()
                                           .attributes = {Carried::Stencil, Carried::Surface, Carried::Gathered},
                                           .source = "core/subdivide/subdivide_loop.cpp"},
                                          subdivideLoop),
+        entry<Mesh, Repair, Mesh>({.id = "repair",
+                                   .title = "Repair",
+                                   .section = "2.3",
+                                   .summary = "Splits non-manifold edges and vertices, drops degenerate and duplicate faces and isolated vertices.",
+                                   .category = "Repair",
+                                   .attributes = {Carried::Gathered, Carried::Gathered, Carried::Gathered},
+                                   .source = "core/repair/repair.cpp"},
+                                  repair),
+        entry<Mesh, Orient, Mesh>({.id = "orient",
+                                   .title = "Orient faces",
+                                   .section = "2.3",
+                                   .summary = "Turns faces so that neighbours agree, and closed pieces outside out.",
+                                   .category = "Repair",
+                                   .steps = true,
+                                   .attributes = {Carried::Gathered, Carried::Gathered, Carried::Same},
+                                   .source = "core/repair/orient.cpp"},
+                                  orient),
+        entry<Mesh, FillHoles, Mesh>({.id = "fill-holes",
+                                      .title = "Fill holes",
+                                      .section = "2.3",
+                                      .summary = "Closes boundary loops with the triangles that bend least.",
+                                      .category = "Repair",
+                                      .steps = true,
+                                      .attributes = {Carried::Stencil, Carried::Stencil, Carried::Gathered},
+                                      .source = "core/repair/fill_holes.cpp"},
+                                     fillHoles),
+        entry<Mesh, Normalise, Mesh>({.id = "normalise",
+                                      .title = "Centre and scale",
+                                      .section = "2.8",
+                                      .summary = "Brings the mesh to the origin and to a given size.",
+                                      .category = "Repair",
+                                      .attributes = {Carried::Same, Carried::Same, Carried::Same},
+                                      .source = "core/repair/normalise.cpp"},
+                                     normalise),
         entry<Mesh, Weld, Mesh>({.id = "weld",
                                  .title = "Weld vertices",
                                  .summary = "Vertices at the same place, or near it, become one.",

@@ -286,8 +286,14 @@ TEST_P(Contract, AttributesAreCarriedAsStated)
         for (size_t v = 0; v < out.vertexCount(); ++v)
             for (int k = 0; k < 3; ++k) EXPECT_NEAR(place->at(v, k), out.positions()[v][k], tolerance) << "vertex " << v;
     }
-    // "texcoord" began as x, z.
-    if (const Attribute* t = out.find("texcoord", Domain::Corner)) {
+    // "texcoord" began as x, z. Where corners stay, so do their values, wherever the positions go.
+    const Attribute* t = out.find("texcoord", Domain::Corner);
+    if (t && op.attributes.corner == Carried::Same) {
+        const Mesh input = testMesh(true);
+        const Attribute& before = *input.find("texcoord");
+        for (size_t c = 0; c < out.cornerCount(); ++c)
+            for (int k = 0; k < 2; ++k) ASSERT_EQ(t->at(c, k), before.at(c, k)) << "corner " << c;
+    } else if (t) {
         for (size_t c = 0; c < out.cornerCount(); ++c) {
             const glm::vec3 p = out.positions()[out.cornerVertex()[c]];
             EXPECT_NEAR(t->at(c, 0), p.x, 0.15) << "corner " << c;

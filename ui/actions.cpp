@@ -102,7 +102,8 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     auto* overlays = view->addMenu("Overlays");
     overlays->addActions({wireOverlay, xray, grid, normals, bones, orientation, legend});
     view->addSeparator();
-    view->addActions({darkTheme, lightTheme});
+    view->addMenu("Theme")->addActions(themes);
+    view->addAction(reducedMotion);
     view->addSeparator();
     view->addAction(picture);
     auto* mesh = bar->addMenu("Mesh");

@@ -20,18 +20,23 @@ struct Actions {
     QAction *undo, *redo, *remove, *rename, *duplicate;
     QAction *selectAll, *selectNone, *invert, *hide, *hideOthers, *showAll;
     QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *bones, *picture, *resetCamera;
-    QAction *darkTheme, *lightTheme;
+    QAction* reducedMotion;
+    QList<QAction*> themes;
     QList<QAction*> pickKinds, shadings, views, tools, addModifiers, addSources, stepThroughs, terrainActions, terrainEdits;
     QMenu* recent = nullptr;
+
+    /// A command: everything the window can do is made here and put into a menu, so that search and the list of shortcuts find it. `key` may
+    /// name several, "Q; Esc". Keys of the view act only while it has the focus.
+    QAction* make(const QString& text, const QString& icon, const QString& key, const QString& tip, std::function<void()> run, bool inView = false);
 
     /// Fills the bar; `windowMenu` gets its docks from the window. Help is left to the window, too.
     void fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu);
     QMenu* contextMenu(QWidget* parent) const;
+    std::function<void()> themeChanged;  ///< set by the window: what captured colours is made anew
     /// Enabled or not, ticked or not, and the names of undo and redo.
     void refresh();
 
 private:
-    QAction* make(const QString& text, const QString& icon, const QString& key, const QString& tip, std::function<void()> run, bool inView = false);
     QAction* toggle(const QString& text, const QString& icon, const QString& key, const QString& tip, bool ViewOptions::*flag);
     void makeEdit();
     void makeSelect();

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QSettings>
 
 #include "ui/viewport/viewport.h"
 // epoxy comes before Qt's own OpenGL headers
@@ -66,14 +65,30 @@ void Actions::makeView()
         const QString file = QFileDialog::getSaveFileName(window_, "Save picture", "view.png", "PNG (*.png)");
         if (!file.isEmpty()) v.grabFramebuffer().save(QFileInfo(file).suffix().isEmpty() ? file + ".png" : file);
     });
-    const auto theme = [this](Theme t) {
-        QSettings().setValue("view/theme", t == Theme::Dark ? "dark" : "light");
-        applyTheme(*qApp, t);
-        s_.view.options.theme = t;
-        s_.view.touch();
-    };
-    darkTheme = make("Dark theme", "", "", "", [theme] { theme(Theme::Dark); });
-    lightTheme = make("Light theme", "", "", "", [theme] { theme(Theme::Light); });
+    auto* themeGroup = new QActionGroup(window_);
+    const struct {
+        const char *text, *tip;
+        ThemeChoice choice;
+    } choices[] = {{"System theme", "Dark or light as the desktop had it when the program started; its own colours where they are high contrast",
+                    ThemeChoice::System},
+                   {"Dark theme", "Dark panels round the view", ThemeChoice::Dark},
+                   {"Light theme", "Light panels round the view", ThemeChoice::Light}};
+    for (const auto& c : choices) {
+        auto* a = make(c.text, "", "", c.tip, [this, choice = c.choice] {
+            chooseTheme(*qApp, choice);
+            s_.view.options.theme = currentTheme();
+            s_.view.touch();
+            if (themeChanged) themeChanged();
+        });
+        a->setCheckable(true);
+        a->setChecked(themeChoice() == c.choice);
+        themeGroup->addAction(a);
+        themes << a;
+    }
+    reducedMotion = make("Reduced motion", "", "", "The camera jumps in place of flying; nothing turns by itself",
+                         [] { setReducedMotion(!mw::reducedMotion()); });
+    reducedMotion->setCheckable(true);
+    reducedMotion->setChecked(mw::reducedMotion());
     auto* toolGroup = new QActionGroup(window_);
     tools << make(
         "Select", "select", "Q", "Click picks, drag orbits",

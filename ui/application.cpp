@@ -1,7 +1,7 @@
 #include "ui/application.h"
 
 #include <QApplication>
-#include <QSettings>
+#include <QPalette>
 #include <QSurfaceFormat>
 #include <clocale>
 
@@ -28,7 +28,8 @@ void dressApplication(QApplication& app)
     QCoreApplication::setOrganizationName("meshwright");
     QCoreApplication::setApplicationName("meshwright");
     QGuiApplication::setApplicationDisplayName({});
-    applyTheme(app, QSettings().value("view/theme", "dark").toString() == "light" ? Theme::Light : Theme::Dark);
+    followSystemPalette(app.palette());
+    chooseTheme(app, themeChoice());
 }
 
 }  // namespace mw

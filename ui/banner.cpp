@@ -18,8 +18,8 @@ Banner::Banner(QWidget* parent) : QWidget(parent)
     auto* box = new QVBoxLayout(this);
     box->setContentsMargins(10, 5, 6, 5);
     box->setSpacing(4);
-    auto* line = new QHBoxLayout;
-    icon_ = new QLabel(this);
+    line_ = new QHBoxLayout;
+    icon_ = new IconLabel("ok", &Tokens::success, this);
     text_ = new QLabel(this);
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -29,17 +29,18 @@ Banner::Banner(QWidget* parent) : QWidget(parent)
     auto* close = new QToolButton(this);
     close->setIcon(mw::icon("x", tokens().text2));
     close->setAccessibleName("Close message");
+    close->setToolTip("Close this message");
     close->setFocusPolicy(Qt::TabFocus);
     list_ = new QLabel(this);
     list_->setWordWrap(true);
     list_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     list_->setFocusPolicy(Qt::NoFocus);
     list_->setProperty("secondary", true);
-    line->addWidget(icon_);
-    line->addWidget(text_, 1);
-    line->addWidget(more_);
-    line->addWidget(close);
-    box->addLayout(line);
+    line_->addWidget(icon_);
+    line_->addWidget(text_, 1);
+    line_->addWidget(more_);
+    line_->addWidget(close);
+    box->addLayout(line_);
     box->addWidget(list_);
     timer_ = new QTimer(this);
     timer_->setSingleShot(true);
@@ -54,9 +55,10 @@ QString Banner::text() const
     return text_->text();
 }
 
-void Banner::show(const QString& text, const char* iconName, const QColor& color)
+void Banner::show(const QString& text, const char* iconName, QColor Tokens::*color)
 {
-    icon_->setPixmap(iconPixmap(iconName, color, 16, devicePixelRatioF()));
+    icon_->set(iconName, color);
+    for (QPushButton* b : std::exchange(offers_, {})) b->deleteLater();
     text_->setText(text);
     list_->hide();
     more_->hide();
@@ -66,7 +68,7 @@ void Banner::show(const QString& text, const char* iconName, const QColor& color
 
 void Banner::notice(const QString& text, const std::vector<Warning>& warnings)
 {
-    show(text, warnings.empty() ? "ok" : "warning", warnings.empty() ? tokens().success : tokens().warning);
+    show(text, warnings.empty() ? "ok" : "warning", warnings.empty() ? &Tokens::success : &Tokens::warning);
     if (warnings.empty()) return timer_->start(6000);
     more_->setText(counted(warnings.size(), "warning", "warnings") + ": show");
     more_->show();
@@ -78,7 +80,19 @@ void Banner::notice(const QString& text, const std::vector<Warning>& warnings)
 
 void Banner::trouble(const QString& text)
 {
-    show(text, "error", tokens().error);
+    show(text, "error", &Tokens::error);
+}
+
+void Banner::offer(const QString& verb, const QString& tip, std::function<void()> run)
+{
+    auto* b = new QPushButton(verb, this);
+    b->setFocusPolicy(Qt::TabFocus);
+    b->setToolTip(tip);
+    connect(b, &QPushButton::clicked, this, [run = std::move(run)] { run(); });
+    line_->insertWidget(line_->indexOf(more_), b);
+    offers_ << b;
+    b->show();
+    if (timer_->isActive()) timer_->start(15000);  // time to read, and to reach it
 }
 
 }  // namespace mw

@@ -32,6 +32,8 @@ public:
     void setPaused(bool paused);
     bool paused() const { return paused_; }
     bool idle() const;
+    /// Knows the results it has made; thread safe. For jobs that write: stacks are then not evaluated again.
+    std::shared_ptr<Evaluator> evaluator() const { return evaluator_; }
 
 signals:
     void changed();  ///< began, ended, cancelled, or ten times a second while it runs

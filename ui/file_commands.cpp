@@ -141,8 +141,8 @@ void FileCommands::saveTo(const QString& file, std::function<void()> then)
     const auto scene = session_.document.snapshot();
     session_.jobs.start(
         "Save " + nameOf(file),
-        [this, file, scene, then](Progress& progress) -> std::function<void()> {
-            const auto lost = writeFile(*scene, pathOf(file), {.project = true}, &progress);
+        [this, file, scene, then, evaluator = session_.evaluations->evaluator()](Progress& progress) -> std::function<void()> {
+            const auto lost = writeFile(*scene, pathOf(file), {.project = true, .evaluator = evaluator.get()}, &progress);
             return [this, file, scene, then, lost] {
                 project_ = true;
                 if (session_.document.snapshot() == scene) session_.document.saved(pathOf(file));
@@ -159,8 +159,8 @@ void FileCommands::exportTo(const QString& file)
     const auto scene = session_.document.snapshot();
     session_.jobs.start(
         "Export " + nameOf(file),
-        [this, file, scene](Progress& progress) -> std::function<void()> {
-            const auto lost = writeFile(*scene, pathOf(file), {}, &progress);
+        [this, file, scene, evaluator = session_.evaluations->evaluator()](Progress& progress) -> std::function<void()> {
+            const auto lost = writeFile(*scene, pathOf(file), {.evaluator = evaluator.get()}, &progress);
             return [this, file, lost] { emit notice("Exported " + nameOf(file) + ".", lost); };
         },
         [this](const QString& text) { emit trouble("Not exported. " + text); });
@@ -218,6 +218,16 @@ QStringList FileCommands::recent() const
     return QSettings().value("files/recent").toStringList();
 }
 
+void FileCommands::findRecent(const QString& file)
+{
+    const QString now = QFileDialog::getOpenFileName(window_, "Where is " + nameOf(file) + " now?", QFileInfo(file).path(), readFilter());
+    QStringList all = recent();
+    all.removeAll(file);
+    QSettings().setValue("files/recent", all);
+    emit recentChanged();
+    if (!now.isEmpty()) whenSaved([this, now] { open(now); });
+}
+
 void FileCommands::remember(const QString& file)
 {
     QStringList all = recent();
@@ -226,6 +236,7 @@ void FileCommands::remember(const QString& file)
     all.prepend(path);
     QSettings().setValue("files/recent", QStringList(all.mid(0, 8)));
     emit recentChanged();
+    emit remembered(path);
 }
 
 }  // namespace mw

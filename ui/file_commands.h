@@ -37,6 +37,8 @@ public:
     void whenSaved(std::function<void()> then);
 
     QStringList recent() const;
+    /// Asks where a recent file has gone to; it then takes its place in the list, or leaves it.
+    void findRecent(const QString& file);
     static QString readFilter();
     /// The name of what is open, for the title.
     QString title() const;
@@ -47,6 +49,7 @@ signals:
     void trouble(const QString& text);                                           ///< could not; the scene is as it was
     void notice(const QString& text, const std::vector<mw::Warning>& warnings);  ///< done
     void recentChanged();
+    void remembered(const QString& file);  ///< opened or saved
 
 private:
     void remember(const QString& file);

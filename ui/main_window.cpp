@@ -1,17 +1,16 @@
 #include "ui/main_window.h"
 
-#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
-#include <QToolBar>
-#include <QToolButton>
+#include <QTimer>
 
 #include "ui/actions.h"
 #include "ui/banner.h"
@@ -23,7 +22,10 @@
 #include "core/scene/samples.h"
 #include "ui/status_strip.h"
 #include "ui/steps/transport_strip.h"
+#include "ui/terrain_edits.h"
 #include "ui/theme.h"
+#include "ui/thumbnails.h"
+#include "ui/tool_bar.h"
 #include "ui/view_header.h"
 #include "ui/viewport/viewport.h"
 #include "ui/welcome.h"
@@ -47,7 +49,6 @@ MainWindow::MainWindow()
     files_ = new FileCommands(session_, this);
     makeCentre();
     makeMenus();
-    makeToolBar();
     status_ = new StatusStrip(session_, this);
     setStatusBar(status_);
     listen();
@@ -96,78 +97,55 @@ void MainWindow::makeMenus()
     QMenu *windowMenu = nullptr, *help = nullptr;
     actions_->fill(menuBar(), &windowMenu, &help);
     workspaces_ = new Workspaces(session_, this);
-    workspaces_->fillMenu(windowMenu);
-    windowMenu->addSeparator();
-    windowMenu->addAction("Hide or show all docks", QKeySequence("Ctrl+\\"), workspaces_, &Workspaces::toggleAll);
-    windowMenu->addAction("Reset layout", workspaces_, &Workspaces::reset);
-    windowMenu->addAction("Full screen", QKeySequence("F11"), this, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-    help->addAction(icon("help"), "Welcome", this, [this] {
+    fillWindowMenu(windowMenu);
+    fillHelpMenu(help);
+    bar_ = new MainToolBar(*actions_, *workspaces_, this);
+    addToolBar(bar_);
+    connect(bar_->searchField(), &QPushButton::clicked, this, &MainWindow::searchCommands);
+    actions_->themeChanged = [this] { workspaces_->remakePanels(); };
+}
+
+void MainWindow::fillWindowMenu(QMenu* menu)
+{
+    workspaces_->fillMenu(menu);
+    menu->addSeparator();
+    Actions& a = *actions_;
+    auto* spaces = menu->addMenu("Workspaces");
+    for (const QString& name : Workspaces::names())
+        spaces->addAction(
+            a.make(name + " workspace", "", "", "Its own layout of panels over the same scene", [this, name] { workspaces_->change(name); }));
+    spaces->addSeparator();
+    spaces->addAction(a.make("Next workspace", "", "Ctrl+PgDown", "", [this] { stepWorkspace(1); }));
+    spaces->addAction(a.make("Last workspace", "", "Ctrl+PgUp", "", [this] { stepWorkspace(-1); }));
+    spaces->addAction(
+        a.make("Save layout as workspace...", "plus", "", "Keep the layout of panels under a name of its own", [this] { bar_->askForName(); }));
+    menu->addAction(a.make("Reset layout", "", "", "Panels where they were at first", [this] { workspaces_->reset(); }));
+    menu->addSeparator();
+    menu->addAction(a.make("Hide or show all panels", "", "Ctrl+\\", "The view alone, and back", [this] { workspaces_->toggleAll(); }));
+    menu->addAction(a.make("Full screen", "", "F11", "The window over the whole screen, and back",
+                           [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); }));
+}
+
+void MainWindow::fillHelpMenu(QMenu* menu)
+{
+    Actions& a = *actions_;
+    menu->addAction(a.make("Search commands and settings", "search", "Ctrl+K", "Find anything by its words", [this] { searchCommands(); }));
+    menu->addAction(a.make("Welcome", "help", "", "Recent files, samples and lessons over the view", [this] {
         if (!welcome_) return showWelcome();
         welcome_->show();
         welcome_->raise();
-    });
-    help->addAction("About Meshwright", this, [this] {
+    }));
+    menu->addAction(a.make("About Meshwright", "", "", "Version and licence", [this] {
         QMessageBox::about(this, "About Meshwright",
                            "<b>Meshwright</b> edits meshes, and shows how its algorithms work, step by step.<br><br>"
                            "Free software under the GNU General Public License, version 3 or later.");
-    });
-    auto* search = new QAction("Search commands", this);
-    search->setShortcut(QKeySequence("Ctrl+K"));
-    connect(search, &QAction::triggered, this, &MainWindow::searchCommands);
-    addAction(search);
+    }));
 }
 
-void MainWindow::makeToolBar()
+void MainWindow::stepWorkspace(int by)
 {
-    auto* bar = addToolBar("Main");
-    bar->setObjectName("mainToolBar");
-    bar->setMovable(false);
-    bar->toggleViewAction()->setVisible(false);
-    bar->setContextMenuPolicy(Qt::PreventContextMenu);
-    bar->setFixedHeight(40);
-    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    auto* group = new QActionGroup(this);
-    int n = 0;
-    for (const QString& name : Workspaces::names()) {
-        auto* a = new QAction(name, this);
-        a->setCheckable(true);
-        a->setToolTip(QString("%1 workspace: its own layout of docks over the same scene").arg(name));
-        group->addAction(a);
-        auto* b = new QToolButton(bar);
-        b->setDefaultAction(a);
-        b->setObjectName("workspaceTab");
-        b->setFocusPolicy(Qt::TabFocus);
-        bar->addWidget(b);
-        connect(a, &QAction::triggered, this, [this, name] { workspaces_->change(name); });
-        connect(workspaces_, &Workspaces::changed, a, [this, a, name] { a->setChecked(workspaces_->current() == name); });
-        ++n;
-    }
-    bar->addSeparator();
-    bar->addActions({actions_->open, actions_->save, actions_->exportAs});
-    bar->addSeparator();
-    bar->addActions({actions_->undo, actions_->redo});
-    for (QAction* a : {actions_->undo, actions_->redo})
-        if (auto* b = qobject_cast<QToolButton*>(bar->widgetForAction(a))) b->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    for (QAction* a : {actions_->open, actions_->save, actions_->exportAs}) a->setIconText(a->text().remove("..."));
-    for (auto* b : bar->findChildren<QToolButton*>()) b->setFocusPolicy(Qt::TabFocus);
-    auto* stretch = new QWidget(bar);
-    stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    bar->addWidget(stretch);
-    auto* search = new QPushButton(icon("search", tokens().text2), " Search commands        Ctrl+K", bar);
-    search->setObjectName("searchField");
-    search->setFixedWidth(270);
-    search->setFocusPolicy(Qt::TabFocus);
-    connect(search, &QPushButton::clicked, this, &MainWindow::searchCommands);
-    bar->addWidget(search);
-    search_ = search;
-    for (const auto& [key, by] : {std::pair{"Ctrl+PgDown", 1}, {"Ctrl+PgUp", n - 1}}) {
-        auto* a = new QAction(this);
-        a->setShortcut(QKeySequence(key));
-        connect(a, &QAction::triggered, this, [this, n, by = by] {
-            workspaces_->change(Workspaces::names().at((int(Workspaces::names().indexOf(workspaces_->current())) + by) % n));
-        });
-        addAction(a);
-    }
+    const QStringList all = workspaces_->all();
+    workspaces_->change(all.at((int(all.indexOf(workspaces_->current())) + by + int(all.size())) % int(all.size())));
 }
 
 void MainWindow::listen()
@@ -177,12 +155,7 @@ void MainWindow::listen()
         refreshTitle();
     });
     connect(view_.get(), &ViewState::changed, this, [this] { actions_->refresh(); });
-    connect(workspaces_, &Workspaces::changed, this, [this] {
-        const bool terrain = workspaces_->current() == "Terrain";
-        centre_->findChild<QWidget*>("toolStrip")->setHidden(terrain);
-        view_->brushInHand = terrain;
-        view_->touchBrush();
-    });
+    connect(workspaces_, &Workspaces::changed, this, &MainWindow::followWorkspace);
     connect(viewport_, &Viewport::hint, status_, &StatusStrip::setHint);
     connect(viewport_, &Viewport::failed, banner_, &Banner::trouble);
     connect(status_, &StatusStrip::jobsClicked, this, [this] { workspaces_->show("jobs"); });
@@ -193,15 +166,23 @@ void MainWindow::listen()
     connect(files_, &FileCommands::added, this, [this] { viewport_->frameAll(); });
     connect(steps_.get(), &StepSession::opened, this, [this] { workspaces_->change("Learn"); });
     connect(steps_.get(), &StepSession::opened, playback_.get(), &Playback::pause);
-    connect(workspaces_, &Workspaces::changed, this, [this] {
-        const bool character = workspaces_->current() == "Character";
-        view_->showBones = character;
-        view_->showMeshes = true;
-        for (const auto& [name, shown] : {std::pair{"colourByGroup", !character && workspaces_->current() != "Terrain"}, {"showGroup", character}})
-            if (auto* group = header_->findChild<QWidget*>(name)) group->setVisible(shown);
-        view_->touch();
-    });
+    connect(files_, &FileCommands::opened, banner_, &QWidget::hide);  // it spoke of another scene
+    connect(files_, &FileCommands::remembered, this, &MainWindow::keepThumbnail);
     status_->setHint("Click picks · Drag orbits · Shift+drag boxes · Right-drag pans · F frames");
+}
+
+// What header and tools have to offer is another thing for a terrain or a character.
+void MainWindow::followWorkspace()
+{
+    const bool terrain = workspaces_->kind() == "Terrain", character = workspaces_->kind() == "Character";
+    centre_->findChild<QWidget*>("toolStrip")->setHidden(terrain);
+    view_->brushInHand = terrain;
+    view_->touchBrush();
+    view_->showBones = character;
+    view_->showMeshes = true;
+    for (const auto& [name, shown] : {std::pair{"colourByGroup", !character && !terrain}, {"showGroup", character}})
+        if (auto* group = header_->findChild<QWidget*>(name)) group->setVisible(shown);
+    view_->touch();
 }
 
 void MainWindow::refreshTitle()
@@ -221,14 +202,51 @@ void MainWindow::searchCommands()
                 all << a;
     };
     for (QAction* a : menuBar()->actions()) collect(collect, a->menu());
-    showCommandSearch(search_, all);
+    showCommandSearch(bar_->searchField(), all);
 }
 
 void MainWindow::showWelcome()
 {
     if (document_.scene().nodes().empty()) files_->openScene(samples().front().make(), "Welcome scene");
-    if (!welcome_) welcome_ = new WelcomeCard(session_, *files_, viewport_);
+    if (!welcome_) {
+        welcome_ = new WelcomeCard(session_, *files_, viewport_);
+        connect(welcome_, &WelcomeCard::newTerrainWanted, this, [this] {
+            welcome_->hide();
+            edits::newTerrain(session_);
+            workspaces_->change("Terrain");
+        });
+        connect(welcome_, &WelcomeCard::lessonsWanted, this, [this] {
+            workspaces_->change("Learn");
+            workspaces_->show("lessons");
+        });
+        connect(welcome_, &WelcomeCard::hidden, this, [this] { viewport_->frameAll(); });
+    }
     welcome_->show();
+    welcome_->raise();
+    QTimer::singleShot(0, this, &MainWindow::aimAboveWelcome);
+}
+
+// The model in the part of the view that the card leaves free.
+void MainWindow::aimAboveWelcome()
+{
+    if (!welcome_ || !welcome_->isVisible()) return;
+    viewport_->frameAll(false);
+    Camera& c = view_->camera;
+    const double whole = viewport_->height(), part = welcome_->freeHeight();
+    if (part < 60 || part >= whole) return;
+    c.distance *= whole / part;
+    c.pan({0, -(whole - part) / 2}, {double(viewport_->width()), whole});
+    viewport_->update();
+}
+
+// What is seen of a file just after it was opened stands for it in the list of recent files.
+void MainWindow::keepThumbnail(const QString& file)
+{
+    QTimer::singleShot(700, this, [this, file] {
+        const auto open = QString::fromStdU16String(document_.file().u16string());
+        if (QFileInfo(open).absoluteFilePath() != QFileInfo(file).absoluteFilePath() || steps_->isOpen()) return;
+        thumbnails::keep(QFileInfo(file).absoluteFilePath(), viewport_->grabFramebuffer());
+    });
 }
 
 void MainWindow::showEvent(QShowEvent* e)
@@ -236,6 +254,7 @@ void MainWindow::showEvent(QShowEvent* e)
     QMainWindow::showEvent(e);
     if (workspaces_->current().isEmpty()) workspaces_->change("Mesh");
     viewport_->frameAll(false);
+    if (welcome_ && welcome_->isVisible()) aimAboveWelcome();
     viewport_->setFocus();
 }
 

@@ -5,13 +5,14 @@
 
 #include "ui/session.h"
 
-class QToolButton;
+class QMenu;
 
 namespace mw {
 
 class Banner;
 class EvaluationService;
 class FileCommands;
+class MainToolBar;
 class StatusStrip;
 class Viewport;
 class WelcomeCard;
@@ -42,10 +43,15 @@ protected:
 private:
     void makeCentre();
     void makeMenus();
-    void makeToolBar();
+    void fillWindowMenu(QMenu* menu);
+    void fillHelpMenu(QMenu* menu);
     void listen();
     void refreshTitle();
     void searchCommands();
+    void followWorkspace();
+    void aimAboveWelcome();
+    void keepThumbnail(const QString& file);
+    void stepWorkspace(int by);
 
     Document document_;
     std::unique_ptr<Jobs> jobs_;
@@ -61,7 +67,8 @@ private:
     Banner* banner_ = nullptr;
     StatusStrip* status_ = nullptr;
     WelcomeCard* welcome_ = nullptr;
-    QWidget *header_ = nullptr, *centre_ = nullptr, *search_ = nullptr;
+    MainToolBar* bar_ = nullptr;
+    QWidget *header_ = nullptr, *centre_ = nullptr;
     std::shared_ptr<void> subscription_;
     bool closing_ = false;
 };

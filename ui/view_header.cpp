@@ -33,8 +33,8 @@ QToolButton* buttonOf(QAction* action, QWidget* parent, int size = 28)
 QFrame* bar(QWidget* parent)
 {
     auto* line = new QFrame(parent);
+    line->setObjectName("divider");
     line->setFixedSize(1, 20);
-    line->setStyleSheet("background: " + tokens().border.name());
     return line;
 }
 
@@ -225,8 +225,7 @@ QWidget* makeLevelHud(Session& session, QWidget* parent)
     hud->setObjectName("hud");
     auto* line = new QHBoxLayout(hud);
     line->setContentsMargins(10, 4, 6, 4);
-    auto* eye = new QLabel(hud);
-    eye->setPixmap(iconPixmap("eye", tokens().accentText, 16, hud->devicePixelRatioF()));
+    auto* eye = new IconLabel("eye", &Tokens::accentText, hud);
     auto* text = new QLabel(hud);
     auto* back = new QPushButton("Show result", hud);
     back->setFocusPolicy(Qt::TabFocus);

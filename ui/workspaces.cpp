@@ -1,9 +1,11 @@
 #include "ui/workspaces.h"
 
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QResizeEvent>
 #include <QSettings>
 #include <QTimer>
 #include <QToolButton>
@@ -15,7 +17,8 @@
 namespace mw {
 namespace {
 
-constexpr int layoutVersion = 2;
+constexpr int layoutVersion = 3;
+constexpr int narrowBelow = 1400;  // logical pixels; there docks share cells
 
 struct Cell {
     Qt::DockWidgetArea area;
@@ -69,11 +72,13 @@ QWidget* titleBar(QDockWidget* dock)
     auto* menu = new QToolButton(bar);
     menu->setIcon(icon("dots", tokens().text2));
     menu->setAccessibleName("Menu of " + dock->windowTitle());
+    menu->setToolTip("Float or close this panel");
     menu->setFocusPolicy(Qt::TabFocus);
     QObject::connect(menu, &QToolButton::clicked, dock, [dock, menu] {
         auto* m = new QMenu(dock);
         m->setAttribute(Qt::WA_DeleteOnClose);
-        m->addAction(dock->isFloating() ? "Dock" : "Float", dock, [dock] { dock->setFloating(!dock->isFloating()); });
+        if (dock->features() & QDockWidget::DockWidgetFloatable)
+            m->addAction(dock->isFloating() ? "Dock" : "Float", dock, [dock] { dock->setFloating(!dock->isFloating()); });
         m->addAction("Close", dock, &QDockWidget::close);
         m->popup(menu->mapToGlobal(QPoint(0, menu->height())));
     });
@@ -83,8 +88,11 @@ QWidget* titleBar(QDockWidget* dock)
 
 }  // namespace
 
-Workspaces::Workspaces(Session& session, QMainWindow* window) : QObject(window), window_(window)
+Workspaces::Workspaces(Session& session, QMainWindow* window) : QObject(window), session_(session), window_(window)
 {
+    // There a floating dock cannot be docked again by dragging (Qt 6.4).
+    floats_ = !QGuiApplication::platformName().startsWith("wayland");
+    window_->installEventFilter(this);
     window_->setDockNestingEnabled(true);
     window_->setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     window_->setDocumentMode(true);
@@ -93,10 +101,10 @@ Workspaces::Workspaces(Session& session, QMainWindow* window) : QObject(window),
                                 {Qt::TopRightCorner, Qt::RightDockWidgetArea},
                                 {Qt::BottomRightCorner, Qt::RightDockWidgetArea}})
         window_->setCorner(corner, area);
-    for (const PanelEntry& p : panels()) makeDock(session, p);
+    for (const PanelEntry& p : panels()) makeDock(p);
 }
 
-void Workspaces::makeDock(Session& session, const PanelEntry& p)
+void Workspaces::makeDock(const PanelEntry& p)
 {
     auto* dock = new QDockWidget(p.title, window_);
     dock->setObjectName("dock-" + p.id);
@@ -104,14 +112,30 @@ void Workspaces::makeDock(Session& session, const PanelEntry& p)
     dock->toggleViewAction()->setToolTip(p.tip);
     dock->setTitleBarWidget(titleBar(dock));
     // A panel is made when it is first seen: what is never looked at costs nothing.
-    connect(dock, &QDockWidget::visibilityChanged, dock, [dock, &session, make = p.make](bool visible) {
-        if (visible && !dock->widget()) dock->setWidget(make(session, dock));
+    if (!floats_) dock->setFeatures(dock->features() & ~QDockWidget::DockWidgetFloatable);
+    connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
+        if (visible && !dock->widget()) fillDock(dock);
     });
     for (auto signal : {&QDockWidget::visibilityChanged, &QDockWidget::topLevelChanged})
         connect(dock, signal, this, [this] { QTimer::singleShot(0, this, [this] { retitle(); }); });
     docks_[p.id] = dock;
     window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
     dock->hide();
+}
+
+void Workspaces::fillDock(QDockWidget* dock)
+{
+    for (const PanelEntry& p : panels())
+        if (docks_.value(p.id) == dock) dock->setWidget(p.make(session_, dock));
+}
+
+void Workspaces::remakePanels()
+{
+    for (QDockWidget* d : docks_) {
+        if (!d->widget()) continue;
+        delete d->widget();
+        if (d->isVisible()) fillDock(d);
+    }
 }
 
 void Workspaces::retitle()
@@ -142,7 +166,7 @@ void Workspaces::build(const QString& name)
     QList<QDockWidget*> columns, rows;
     QList<int> widths, heights;
     QList<QDockWidget*> fronts;
-    const QList<Cell> cells = cellsOf(name, window_->width() < 1400);
+    const QList<Cell> cells = cellsOf(name, window_->width() < narrowBelow);
     // What is left of a column: Qt shares heights out in proportion, so the sum has to be the column's.
     const auto rest = [&](Qt::DockWidgetArea area) {
         int height = window_->height() - 96;  // menus, toolbar, status bar
@@ -172,27 +196,93 @@ void Workspaces::build(const QString& name)
     for (QDockWidget* d : fronts) d->raise();
 }
 
+QStringList Workspaces::all() const
+{
+    return names() + QSettings().value("workspaces/own").toStringList();
+}
+
+QString Workspaces::kind() const
+{
+    return names().contains(current_) ? current_ : QSettings().value("workspaces/kind/" + current_, "Mesh").toString();
+}
+
+QString Workspaces::key() const
+{
+    return "layout/" + current_ + (narrow_ ? "/narrow" : "/wide");
+}
+
+void Workspaces::restore()
+{
+    for (QDockWidget* d : docks_) d->hide();  // a saved layout says nothing of docks that were in none
+    const QByteArray state = QSettings().value(key()).toByteArray();
+    if (state.isEmpty() || !window_->restoreState(state, layoutVersion)) build(kind());
+    QTimer::singleShot(0, this, [this] { retitle(); });
+}
+
 void Workspaces::change(const QString& name)
 {
-    if (name == current_) return;
+    if (name == current_ || !all().contains(name)) return;
     if (!current_.isEmpty()) store();
     current_ = name;
-    for (QDockWidget* d : docks_) d->hide();  // a saved layout says nothing of docks that were in none
-    const QByteArray state = QSettings().value("layout/" + name).toByteArray();
-    if (state.isEmpty() || !window_->restoreState(state, layoutVersion)) build(name);
-    QTimer::singleShot(0, this, [this] { retitle(); });
+    narrow_ = window_->width() < narrowBelow;
+    restore();
     emit changed();
 }
 
 void Workspaces::reset()
 {
-    build(current_);
+    build(kind());
     QTimer::singleShot(0, this, [this] { retitle(); });
 }
 
 void Workspaces::store()
 {
-    QSettings().setValue("layout/" + current_, window_->saveState(layoutVersion));
+    if (beforeHiding_.isEmpty()) QSettings().setValue(key(), window_->saveState(layoutVersion));
+}
+
+bool Workspaces::saveAs(const QString& name, QString* whyNot)
+{
+    const QString plain = name.simplified();
+    if (plain.isEmpty() || all().contains(plain, Qt::CaseInsensitive) || plain.contains('/')) {
+        *whyNot = plain.isEmpty()       ? "Give it a name."
+                  : plain.contains('/') ? "A name has no slash."
+                                        : plain + " is there already. Choose another name.";
+        return false;
+    }
+    const QString from = kind();
+    QSettings().setValue("workspaces/own", QSettings().value("workspaces/own").toStringList() << plain);
+    QSettings().setValue("workspaces/kind/" + plain, from);
+    store();
+    current_ = plain;
+    store();
+    emit listChanged();
+    emit changed();
+    return true;
+}
+
+void Workspaces::remove(const QString& name)
+{
+    if (names().contains(name)) return;
+    if (current_ == name) change(kind());
+    QStringList own = QSettings().value("workspaces/own").toStringList();
+    own.removeAll(name);
+    QSettings().setValue("workspaces/own", own);
+    for (const char* k : {"workspaces/kind/", "layout/"}) QSettings().remove(k + name);
+    emit listChanged();
+}
+
+// A window that becomes narrow, or wide again, has the layout for that.
+bool Workspaces::eventFilter(QObject* o, QEvent* e)
+{
+    if (o == window_ && e->type() == QEvent::Resize && !current_.isEmpty() && window_->isVisible()) {
+        const auto* size = static_cast<QResizeEvent*>(e);
+        const bool narrow = size->size().width() < narrowBelow;
+        if (narrow != narrow_) {
+            narrow_ = narrow;
+            QTimer::singleShot(0, this, [this] { restore(); });
+        }
+    }
+    return QObject::eventFilter(o, e);
 }
 
 void Workspaces::toggleAll()

@@ -130,9 +130,16 @@ void ModifierRow::resizeEvent(QResizeEvent* e)
 void ModifierRow::fitHeader()
 {
     time_->setVisible(width() >= wideRow);
-    const int room = width() - 120;  // grip, box and menu
-    const bool fits = name_->sizeHint().width() + counts_->fontMetrics().horizontalAdvance(countsText_) <= room;
-    counts_->setText(fits ? countsText_ : countsText_.mid(std::max(0, int(countsText_.indexOf(QChar(0x2192))))));
+    QFont bold = font();
+    bold.setBold(true);
+    const int name = QFontMetrics(bold).horizontalAdvance(name_->text()) + 14;  // the padding of a quiet button
+    int room = contentsRect().width() - box_->contentsMargins().left() - box_->contentsMargins().right() - name;
+    for (const QWidget* w : std::initializer_list<const QWidget*>{grip_, on_, menu_, time_, ring_, errorIcon_})
+        if (!w->isHidden()) room -= std::max(w->sizeHint().width(), w->minimumWidth()) + 4;
+    const QFontMetrics metrics = counts_->fontMetrics();
+    const QString after = countsText_.mid(std::max(0, int(countsText_.indexOf(QChar(0x2192)))));
+    const auto fits = [&](const QString& text) { return metrics.horizontalAdvance(text) + 4 <= room; };
+    counts_->setText(fits(countsText_) ? countsText_ : fits(after) ? after : QString());
 }
 
 void ModifierRow::setState(const RowState& s)
@@ -141,7 +148,6 @@ void ModifierRow::setState(const RowState& s)
     countsText_ = s.enabled ? s.waits ? QString("waits") : s.counts : QString("off");
     const QString time = s.enabled && !s.running && s.error.isEmpty() ? s.time : QString();
     time_->setText(time);
-    fitHeader();
     counts_->setToolTip(time.isEmpty() ? countsText_ : countsText_ + ", in " + time);
     const QString color = s.enabled ? tokens().text.name() : tokens().text3.name();
     const QString style = "text-align: left; font-weight: 700; color: " + color + ";";
@@ -149,6 +155,7 @@ void ModifierRow::setState(const RowState& s)
     ring_->setVisible(s.running && s.elapsed > 150);
     ring_->setFraction(s.fraction);
     errorIcon_->setVisible(!s.error.isEmpty());
+    fitHeader();
     error_->setText(s.error);
     errorBox_->setVisible(!s.error.isEmpty());
     if (progressLine_) {

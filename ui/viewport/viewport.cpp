@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/theme.h"
 #include "ui/viewport/step_frame.h"
 
 namespace mw {
@@ -276,6 +277,12 @@ void Viewport::flyTo(const Camera& to)
 {
     flight_.stop();
     flight_.disconnect(this);
+    if (reducedMotion()) {
+        session_.view.camera = to;
+        update();
+        emit cameraMoved();
+        return;
+    }
     const Camera from = session_.view.camera;
     connect(&flight_, &QVariantAnimation::valueChanged, this, [this, from, to](const QVariant& v) {
         const double t = v.toDouble();

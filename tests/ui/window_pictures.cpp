@@ -1,0 +1,118 @@
+// Pictures of what belongs to the window itself (welcome, every workspace, sheets, search, shortcuts) in both themes, to be looked at beside
+// the design: MESHWRIGHT_PICTURES=FOLDER tests/ui/run_xvfb.sh build/bin/ui_window_pictures [NAME...]
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QPainter>
+#include <QTest>
+#include <cstdio>
+
+#include "core/scene/samples.h"
+#include "ui/actions.h"
+#include "ui/application.h"
+#include "ui/evaluation_service.h"
+#include "ui/file_commands.h"
+#include "ui/main_window.h"
+#include "ui/stack_edits.h"
+#include "ui/theme.h"
+#include "ui/viewport/viewport.h"
+#include "ui/workspaces.h"
+
+using namespace mw;
+
+namespace {
+
+void settle(MainWindow& w)
+{
+    QElapsedTimer clock;
+    clock.start();
+    QTest::qWait(300);
+    while ((!w.evaluations().idle() || w.session().jobs.busy()) && clock.elapsed() < 60000) QTest::qWait(50);
+    QTest::qWait(400);
+}
+
+// The window, and what floats over it.
+void shoot(MainWindow& w, const QString& folder, const QString& name)
+{
+    QImage picture = w.grab().toImage();
+    QPainter p(&picture);
+    for (QWidget* top : QApplication::topLevelWidgets())
+        if (top != &w && top->isVisible()) {
+            QPixmap part = top->grab();
+            p.drawPixmap(w.mapFromGlobal(top->pos()), part);
+        }
+    p.end();
+    const QString theme = currentTheme() == Theme::Dark ? "dark" : "light";
+    picture.save(QString("%1/%2-%3-%4x%5.png").arg(folder, name, theme).arg(w.width()).arg(w.height()));
+    std::printf("%s\n", qPrintable(name));
+}
+
+void closePopups(MainWindow& w)
+{
+    for (QWidget* top : QApplication::topLevelWidgets())
+        if (top != &w && top->isVisible()) top->close();
+    QTest::qWait(50);
+}
+
+QAction* command(MainWindow& w, const QString& text)
+{
+    for (QAction* a : w.findChildren<QAction*>())
+        if (a->text() == text) return a;
+    qFatal("no command %s", qPrintable(text));
+}
+
+void tour(MainWindow& w, const QString& folder, const QStringList& only)
+{
+    const auto wanted = [&](const char* name) { return only.isEmpty() || only.contains(name); };
+    w.showWelcome();
+    settle(w);
+    if (wanted("welcome")) shoot(w, folder, "welcome");
+    w.files().openScene(samples().front().make(), "Open Blossom");
+    const MeshId mesh = edits::activeMesh(w.session().document);
+    edits::addModifier(w.session().document, mesh, operation("decimate-quadric"), {{"ratio", 0.2}});
+    settle(w);
+    for (const QString& name : Workspaces::names())
+        if (wanted("workspaces")) {
+            w.workspaces().change(name);
+            settle(w);
+            shoot(w, folder, "workspace-" + name.toLower());
+        }
+    w.workspaces().change("Mesh");
+    if (wanted("shared")) {
+        for (const char* name : {"Search commands and settings", "Save layout as workspace..."}) {
+            command(w, name)->trigger();
+            QTest::qWait(200);
+            shoot(w, folder, QString(name).left(6).toLower());
+            closePopups(w);
+        }
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    const QString folder = qEnvironmentVariable("MESHWRIGHT_PICTURES", "pictures");
+    QDir().mkpath(folder);
+    prepareApplication();
+    QApplication app(argc, argv);
+    dressApplication(app);
+    if (const int percent = qEnvironmentVariableIntValue("MESHWRIGHT_TEXT_PERCENT")) {
+        QFont font = app.font();
+        font.setPointSizeF(font.pointSizeF() * percent / 100);
+        app.setFont(font);
+    }
+    const QStringList only = app.arguments().mid(1);
+    for (const QSize& size : {QSize(1600, 1000), QSize(1280, 800)}) {
+        MainWindow w;
+        w.resize(size);
+        w.show();
+        if (!QTest::qWaitForWindowExposed(&w)) return 1;
+        tour(w, folder, only);
+        command(w, "Light theme")->trigger();  // live: what was built in the dark is looked at in the light
+        settle(w);
+        tour(w, folder, only);
+        command(w, "Dark theme")->trigger();
+    }
+    return 0;
+}

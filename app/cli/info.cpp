@@ -5,8 +5,9 @@
 #include "app/cli/findings.h"
 #include "app/cli/operation_call.h"
 #include "app/cli/output.h"
+#include "app/cli/placement_options.h"
 #include "app/cli/verb.h"
-#include "core/io/io.h"
+#include "core/io/placement.h"
 #include "core/scene/scene_pose.h"
 
 namespace mw::cli {
@@ -125,6 +126,11 @@ nlohmann::json asJson(const std::string& file, const Imported& in, const std::ve
             warnings.push_back({{"code", f.warning.code}, {"text", "mesh \"" + m.name + "\": " + f.warning.text}, {"elements", f.warning.elements}});
     }
     return {{"file", file},
+            {"format", in.format},
+            {"units", in.units},
+            {"metres_per_unit", in.placement.metresPerUnit},
+            {"up", upText(in.placement.up)},
+            {"placement_from_file", in.placementFromFile},
             {"meshes", list},
             {"nodes", in.scene.nodes().size()},
             {"materials", in.scene.materials().size()},
@@ -232,9 +238,16 @@ void printMotion(const Scene& scene)
     }
 }
 
+/// "units millimetres, z up", "units unknown, taken as metres, y up".
+std::string placementText(const Imported& in)
+{
+    const std::string taken = unitText(in.placement.metresPerUnit);
+    return "units " + in.units + (in.units == taken ? "" : ", taken as " + taken) + ", " + upText(in.placement.up) + " up";
+}
+
 void printText(const std::string& file, const Imported& in, const std::vector<MeshInfo>& meshes)
 {
-    std::cout << file << ": " << in.format << ", units " << in.units << (in.project ? ", a Meshwright project" : "") << '\n'
+    std::cout << file << ": " << in.format << ", " << placementText(in) << (in.project ? ", a Meshwright project" : "") << '\n'
               << counted(meshes.size(), "mesh", "meshes") << ", " << counted(in.scene.nodes().size(), "node") << ", "
               << counted(in.scene.materials().size(), "material") << ", " << counted(in.scene.images().size(), "image") << '\n';
     bool wrong = !in.warnings.empty();
@@ -260,12 +273,13 @@ void printText(const std::string& file, const Imported& in, const std::vector<Me
 int run(Arguments& arguments)
 {
     const bool json = arguments.flag("--json");
+    const ImportOptions options = takeImportOptions(arguments);
     const std::string file = arguments.finish({"FILE"})[0];
     Imported in;
     std::vector<MeshInfo> meshes;
     {
         Working working("reading");
-        in = readFile(file, working.progress());
+        in = readFile(file, working.progress(), options);
         for (MeshId id : in.scene.meshes()) {
             const MeshObject& object = *in.scene.find(id);
             working.now(object.name);
@@ -290,7 +304,7 @@ int run(Arguments& arguments)
 }  // namespace
 
 const Verb infoVerb{"info", "what is in a file, and what is wrong with it",
-                    "info FILE [--json]\n\n"
+                    "info FILE [--unit UNIT] [--up y|z|x] [--json]\n\n"
                     "Counts, topology, bounds and attributes of each mesh; skeletons, clips and terrains; and what is wrong, worst first,\n"
                     "with what helps.\n"
                     "  --json   one JSON object instead of text\n",

@@ -19,13 +19,13 @@ OperationCall parseCall(std::string_view text)
     return call;
 }
 
-Input readInput(const std::string& in, const OperationCall& first, Progress* progress)
+Input readInput(const std::string& in, const OperationCall& first, Progress* progress, const ImportOptions& options)
 {
     const bool source = first.operation && first.operation->accepts == Kind::Nothing;
     if (in != "-") {
         if (source)
             throw Error(in, first.operation->id + " makes " + kindName(first.operation->yields) + " from nothing and takes no file; give - as input");
-        Imported file = readFile(in, progress);
+        Imported file = readFile(in, progress, options);
         warn(in, file.warnings);
         return {std::move(file.scene), file.project, false};
     }

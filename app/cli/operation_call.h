@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/catalog/catalog.h"
+#include "core/io/io.h"
 #include "core/scene/evaluation.h"
 #include "core/scene/scene.h"
 #include "core/steps/progress.h"
@@ -19,13 +20,13 @@ struct OperationCall {
 OperationCall parseCall(std::string_view text);
 
 /// The scene in which an input of the command line begins: a file's, or with "-" that of the source `first`. Warnings of the file go to
-/// standard error. Throws Error when a source and a file do not fit.
+/// standard error; `options` say how its numbers are meant. Throws Error when a source and a file do not fit.
 struct Input {
     Scene scene;
     bool project = false;     ///< the file carried MESHWRIGHT_project
     bool sourceUsed = false;  ///< `first` has run already
 };
-Input readInput(const std::string& in, const OperationCall& first, Progress* progress);
+Input readInput(const std::string& in, const OperationCall& first, Progress* progress, const ImportOptions& options = {});
 
 /// What a mesh object shows: its stack evaluated, by `evaluator` if given. Throws Error naming the modifier that could not run.
 Mesh evaluated(const MeshObject& object, Progress* progress, Evaluator* evaluator = nullptr);

@@ -9,6 +9,7 @@
 #include "app/cli/clip_options.h"
 #include "app/cli/operation_call.h"
 #include "app/cli/output.h"
+#include "app/cli/placement_options.h"
 #include "app/cli/verb.h"
 #include "core/io/file.h"
 #include "core/io/io.h"
@@ -107,6 +108,8 @@ struct Job {
     std::string in, out;
     ClipOptions clip;
     std::optional<std::string> motion;
+    ImportOptions import = {};
+    Placement placement = {};
     bool table() const { return ending(out) == ".csv" || ending(out) == ".json"; }
 };
 
@@ -134,7 +137,7 @@ std::string writeMeshes(const Job& job, const Scene& scene, const ScenePose& pos
         still = frozen(scene, pose, [&](MeshId id) { return evaluated(*scene.find(id), working.progress()); });
     }
     working.now("writing " + job.out);
-    lost = writeFile(still, job.out, {}, working.progress());
+    lost = writeFile(still, job.out, {.placement = job.placement}, working.progress());
     for (const MeshId id : still.meshes()) vertices += still.find(id)->base.vertexCount();
     return counted(still.meshes().size(), "mesh", "meshes") + ", " + counted(vertices, "vertex", "vertices");
 }
@@ -156,7 +159,7 @@ void work(const Job& job)
     std::string written, when = ", at rest: there is no clip";
     {
         Working working("reading " + job.in);
-        Imported in = readFile(job.in, working.progress());
+        Imported in = readFile(job.in, working.progress(), job.import);
         if (job.motion) addMotion(in.scene, job.in, *job.motion, working.progress());
         warn(job.in, in.warnings);
         ScenePose pose;
@@ -180,6 +183,8 @@ int run(Arguments& arguments)
     Job job;
     job.clip = takeClipOptions(arguments);
     job.motion = arguments.value("--motion");
+    job.import = takeImportOptions(arguments);
+    job.placement = takeOutPlacement(arguments);
     const std::optional<std::string> out = arguments.value("--output", "-o");
     job.in = arguments.finish({"FILE"})[0];
     if (!job.clip.time) throw UsageError("--time S is missing");
@@ -197,17 +202,19 @@ int run(Arguments& arguments)
 
 }  // namespace
 
-const Verb poseVerb{"pose", "a character or an animated scene as it stands at one time",
-                    "pose FILE [--clip NAME|#INDEX] [--motion FILE] --time S -o OUT\n\n"
-                    "Modifiers are evaluated, skins, morph targets and the motion of nodes applied; OUT holds what stands there, in world space, in\n"
-                    "metres where FILE says its unit (else in FILE's own), without skins and clips. A mesh file (.glb .gltf .obj .ply) takes the\n"
-                    "meshes; of a skeleton without a mesh it takes joints as vertices and bones as lines. .csv and .json take the places of the\n"
-                    "joints: joint,x,y,z.\n"
-                    "  --clip    by name or by number from #0; the first one when left out. A file without clips stands at rest\n"
-                    "  --motion  also the clips of this file, made for the same skeleton (same names of joints)\n"
-                    "  --time    seconds from the start of the clip; outside of it its first or last pose is taken\n\n"
-                    "  meshwright pose walk.bvh --time 0.5 -o joints.csv\n"
-                    "  meshwright pose cesium_man.gltf --time 1 -o step.ply\n",
-                    run};
+const Verb poseVerb{
+    "pose", "a character or an animated scene as it stands at one time",
+    "pose FILE [--clip NAME|#INDEX] [--motion FILE] --time S -o OUT [--unit UNIT] [--up y|z|x] [--out-unit UNIT] [--out-up y|z|x]\n\n"
+    "Modifiers are evaluated, skins, morph targets and the motion of nodes applied; OUT holds what stands there, in world space, in\n"
+    "metres where FILE says its unit (else in FILE's own), without skins and clips. A mesh file (.glb .gltf .obj .off .ply .stl) takes the\n"
+    "meshes; of a skeleton without a mesh it takes joints as vertices and bones as lines. .csv and .json take the places of the\n"
+    "joints: joint,x,y,z.\n"
+    "  --clip    by name or by number from #0; the first one when left out. A file without clips stands at rest\n"
+    "  --motion  also the clips of this file, made for the same skeleton (same names of joints)\n"
+    "  --time    seconds from the start of the clip; outside of it its first or last pose is taken\n"
+    "  --unit, --up, --out-unit, --out-up   how the numbers of FILE and OUT are meant; see meshwright convert --help\n\n"
+    "  meshwright pose walk.bvh --time 0.5 -o joints.csv\n"
+    "  meshwright pose cesium_man.gltf --time 1 -o step.ply\n",
+    run};
 
 }  // namespace mw::cli

@@ -6,6 +6,7 @@
 
 #include "app/cli/operation_call.h"
 #include "app/cli/output.h"
+#include "app/cli/placement_options.h"
 #include "app/cli/subject.h"
 #include "app/cli/table_file.h"
 #include "app/cli/value_file.h"
@@ -21,6 +22,8 @@ struct Job {
     std::vector<OperationCall> calls;
     std::optional<std::string> object;
     bool project = false, ascii = false;
+    ImportOptions import = {};
+    Placement placement = {};
     bool query() const { return !calls.empty() && calls.back().operation->yields != Kind::Mesh; }
 };
 
@@ -97,7 +100,7 @@ int work(const Job& job)
     Evaluator evaluator;  // a project's stack is run once, for the figures and for the file
     {
         Working working("reading " + job.in);
-        Input input = readInput(job.in, job.calls.empty() ? OperationCall{} : job.calls.front(), working.progress());
+        Input input = readInput(job.in, job.calls.empty() ? OperationCall{} : job.calls.front(), working.progress(), job.import);
         std::span<const OperationCall> meshCalls(job.calls);
         if (input.sourceUsed) meshCalls = meshCalls.subspan(1);
         if (job.query() && !meshCalls.empty()) meshCalls = meshCalls.first(meshCalls.size() - 1);
@@ -114,7 +117,8 @@ int work(const Job& job)
             writeResults(job, input.scene, working);
         } else {
             working.now("writing " + job.out);
-            lost = writeFile(input.scene, job.out, {.project = project, .binary = !job.ascii, .evaluator = &evaluator}, working.progress());
+            lost = writeFile(input.scene, job.out, {.project = project, .binary = !job.ascii, .placement = job.placement, .evaluator = &evaluator},
+                             working.progress());
         }
     }
     warn(job.out, lost);
@@ -130,7 +134,7 @@ int workOnValue(const Job& job)
     Value value;
     {
         Working working("reading " + job.in);
-        value = subjectOf(job.in, job.calls.front(), job.object, working.progress());
+        value = subjectOf(job.in, job.calls.front(), job.object, working.progress(), job.import);
         for (const OperationCall& call : job.calls) {
             working.now(call.operation->id);
             value = apply(*call.operation, value, call.values, working.progress());
@@ -151,6 +155,8 @@ int run(Arguments& arguments)
     job.object = arguments.value("--object");
     job.project = arguments.flag("--project");
     job.ascii = arguments.flag("--ascii");
+    job.import = takeImportOptions(arguments);
+    job.placement = takeOutPlacement(arguments);
     job.in = arguments.finish({"IN"})[0];
     if (!out || out->empty()) throw UsageError("-o OUT is missing");
     job.out = *out;
@@ -173,14 +179,17 @@ int run(Arguments& arguments)
 
 const Verb processVerb{
     "process", "operations in turn, the result into a file",
-    "process IN [--op ID[:k=v,...]]... -o OUT [--project] [--ascii] [--object NAME]\n\n"
+    "process IN [--op ID[:k=v,...]]... -o OUT [--project] [--ascii] [--object NAME]\n        [--unit UNIT] [--up y|z|x] [--out-unit UNIT] [--out-up "
+    "y|z|x]\n\n"
     "Each operation works on every mesh of IN; hierarchy and materials stay. IN may be - when the first operation makes something from\n"
-    "nothing. OUT is written by its ending (.glb .gltf .obj .ply); an operation that gives a table comes last and goes to .csv or .json.\n"
+    "nothing. OUT is written by its ending (.glb .gltf .obj .off .ply .stl); an operation that gives a table comes last and goes to .csv or .json.\n"
     "Other kinds are one value: a skeleton of a character, a curve from .csv, a height map from .png. Height maps go to .png or as the mesh of\n"
     "a terrain to .glb; curves, poses and rotations to .json or .csv.\n"
     "The verb algorithms lists operations and parameters.\n"
     "  --project   glTF: keep the operations as modifiers that can still be changed\n"
-    "  --ascii     PLY: as text\n"
+    "  --ascii     OFF, PLY, STL: as text\n"
+    "  --unit UNIT, --up y|z|x            how the numbers of IN are meant; see meshwright convert --help\n"
+    "  --out-unit UNIT, --out-up y|z|x    how those of OUT shall be meant\n"
     "  --object NAME   which skeleton, by its topmost joint, when the file has several\n\n"
     "  meshwright process scan.ply --op weld --op decimate-quadric:ratio=0.1 -o small.glb\n"
     "  meshwright process - --op icosphere --op vertex-valence -o valence.csv\n"

@@ -5,6 +5,7 @@
 #include "app/cli/operation_call.h"
 #include "app/cli/output.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/placement_options.h"
 #include "app/cli/verb.h"
 #include "core/io/io.h"
 #include "render/offscreen.h"
@@ -78,6 +79,7 @@ int run(Arguments& arguments)
     const std::string show = arguments.value("--show").value_or("");
     const ClipOptions when = takeClipOptions(arguments);
     const std::optional<std::string> motion = arguments.value("--motion");
+    const ImportOptions options = takeImportOptions(arguments);
     const std::vector<std::string> files = arguments.finish({"FILE"});
     if (!out) throw UsageError("say where the picture goes: -o PNG");
     if (!show.empty() && show != "mesh" && show != "bones" && show != "both")
@@ -88,7 +90,7 @@ int run(Arguments& arguments)
         throw UsageError("--view wants front, back, left, right, top, bottom or AZIMUTH,ELEVATION in degrees, not \"" + view + "\"");
 
     Working working("reading " + files[0]);
-    Imported in = readFile(files[0], working.progress());
+    Imported in = readFile(files[0], working.progress(), options);
     if (motion) addMotion(in.scene, files[0], *motion, working.progress());
     warn(files[0], in.warnings);
     std::map<MeshId, Mesh> shownMeshes;
@@ -117,7 +119,7 @@ int run(Arguments& arguments)
 const Verb renderVerb{
     "render", "a picture of a file, without a display",
     "render FILE -o PNG [--time S] [--clip NAME|#INDEX] [--motion FILE] [--show mesh|bones|both] [--size WxH] [--style STYLE] [--view VIEW]\n"
-    "       [--theme dark|light] [--transparent]\n\n"
+    "       [--theme dark|light] [--transparent] [--unit UNIT] [--up y|z|x]\n\n"
     "  --time S        seconds into the clip; without --time and --clip the file rests\n"
     "  --clip CLIP     by name, or #0 for the first one, which is taken unless said\n"
     "  --motion FILE   also the clips of this file, made for the same skeleton (same names of joints)\n"
@@ -126,7 +128,8 @@ const Verb renderVerb{
     "  --style STYLE   shaded (as the materials say), flat (faces and edges), wire, or heat:METRIC[:k=v,...], where METRIC is a\n"
     "                  query of `meshwright algorithms` that gives a number for each vertex or face (heat:vertex-valence)\n"
     "  --view VIEW     front, back, left, right, top, bottom, or AZIMUTH,ELEVATION in degrees; 32,17 unless said\n"
-    "  --transparent   the model alone, nothing behind it\n",
+    "  --transparent   the model alone, nothing behind it\n"
+    "  --unit UNIT, --up y|z|x   how the file's numbers are meant; see meshwright convert --help\n",
     run};
 
 }  // namespace mw::cli

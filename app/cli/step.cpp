@@ -4,6 +4,7 @@
 
 #include "app/cli/operation_call.h"
 #include "app/cli/output.h"
+#include "app/cli/placement_options.h"
 #include "app/cli/subject.h"
 #include "app/cli/value_file.h"
 #include "app/cli/verb.h"
@@ -107,10 +108,10 @@ ParameterValues valuesFor(const OperationCall& call, const std::string& in)
     return values;
 }
 
-Value read(const std::string& in, const OperationCall& call, const std::optional<std::string>& object)
+Value read(const std::string& in, const OperationCall& call, const std::optional<std::string>& object, const ImportOptions& options)
 {
     Working working("reading " + in);
-    return subjectOf(in, call, object, working.progress());
+    return subjectOf(in, call, object, working.progress(), options);
 }
 
 int run(Arguments& arguments)
@@ -118,12 +119,13 @@ int run(Arguments& arguments)
     const bool json = arguments.flag("--json");
     const std::optional<std::string> op = arguments.value("--op"), object = arguments.value("--object");
     const std::optional<long> until = arguments.number("--until", 0, 2000000000);
+    const ImportOptions options = takeImportOptions(arguments);
     const std::string in = arguments.finish({"IN"})[0];
     if (!op) throw UsageError("--op ID is missing");
     const OperationCall call = parseCall(*op);
     if (in != "-" && call.operation->accepts == Kind::Nothing)
         throw Error(in, call.operation->id + " makes something from nothing and takes no file; give - as input");
-    const Value value = read(in, call, object);
+    const Value value = read(in, call, object, options);
     const std::unique_ptr<Run> steps = stepping(*call.operation, value, valuesFor(call, in))(true);
     size_t n = 0;
     while (!until || n < size_t(*until)) {
@@ -145,7 +147,7 @@ int run(Arguments& arguments)
 
 const Verb stepVerb{
     "step", "an operation one step at a time",
-    "step IN --op ID[:k=v,...] [--until N] [--object NAME] [--json]\n\n"
+    "step IN --op ID[:k=v,...] [--until N] [--object NAME] [--unit UNIT] [--up y|z|x] [--json]\n\n"
     "One line a step: phase, numbers, elements in focus, and the line of source that runs. IN is what the operation works on: a mesh,\n"
     "a character (its skeleton at rest), a curve (.csv of x,y or x,y,z), a height map (.png). It may be - for a source, or for what\n"
     "the operation's lesson is tried on.\n"

@@ -63,7 +63,8 @@ Pose skeletonIn(const std::string& file, const Scene& scene, const std::optional
     return named != all.end() ? *named : *std::max_element(all.begin(), all.end(), bySize);
 }
 
-Value subjectOf(const std::string& in, const OperationCall& call, const std::optional<std::string>& object, Progress* progress)
+Value subjectOf(const std::string& in, const OperationCall& call, const std::optional<std::string>& object, Progress* progress,
+                const ImportOptions& options)
 {
     const Operation& op = *call.operation;
     if (in == "-") return op.accepts == Kind::Nothing ? Value{} : lessonSubjectOf(op, progress);
@@ -74,7 +75,7 @@ Value subjectOf(const std::string& in, const OperationCall& call, const std::opt
         warn(in, warnings);
         return map;
     }
-    const Input input = readInput(in, call, progress);
+    const Input input = readInput(in, call, progress, options);
     if (op.accepts == Kind::Pose) return skeletonIn(in, input.scene, object, effectorOf(call));
     if (op.accepts == Kind::Mesh) return meshIn(in, input.scene, object, progress);
     throw Error(in, op.id + " works on " + kindName(op.accepts) + ", which no file holds; give - as input");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -70,6 +71,8 @@ inline glm::dmat4 matrix(const aiMatrix4x4& m)
 }
 
 void addNodes(Conversion& c);
+/// How the file's numbers were meant before they were made metres; nothing for formats that do not say.
+std::optional<Placement> statedPlacement(const Conversion& c);
 /// Names that several nodes have and that bones or motions go by; nodes without a name.
 void makeNamesUnique(Conversion& c);
 void addMeshes(Conversion& c);

@@ -17,6 +17,7 @@
 
 #include "app/importer/read.h"
 #include "core/io/gltf.h"
+#include "core/io/placement.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // Assimp leaks when it refuses a file. Its crashes shall look as they do without sanitizers, and the address space cannot be limited.
@@ -81,7 +82,12 @@ int run(const char* file)
     const std::vector<uint8_t> glb = mw::glbOf(in.scene, {.project = true});
     nlohmann::json warnings = nlohmann::json::array();
     for (const mw::Warning& w : in.warnings) warnings.push_back({{"code", w.code}, {"text", w.text}});
-    say({{"format", in.format}, {"units", in.units}, {"warnings", warnings}});
+    say({{"format", in.format},
+         {"units", in.units},
+         {"metresPerUnit", in.placement.metresPerUnit},
+         {"up", mw::upText(in.placement.up)},
+         {"placementFromFile", in.placementFromFile},
+         {"warnings", warnings}});
     return writeAll(glb) ? 0 : 1;
 }
 

@@ -4,6 +4,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/importer/conversion.h"
+#include "core/io/file.h"
+#include "core/io/placement.h"
 
 namespace mw {
 
@@ -49,6 +51,25 @@ double unitScale(const aiScene& scene)
     const double narrow = double(meta<float>(scene, "UnitScaleFactor", 1.f));
     const double centimetres = meta<double>(scene, "UnitScaleFactor", narrow);
     return std::isfinite(centimetres) && centimetres > 0 ? centimetres / 100 : 0.01;
+}
+
+/// The text between two others; nothing when they are not there.
+std::optional<std::string> between(const std::string& all, std::string_view before, std::string_view after)
+{
+    const size_t start = all.find(before), end = start == all.npos ? start : all.find(after, start + before.size());
+    if (end == all.npos) return {};
+    return all.substr(start + before.size(), end - start - before.size());
+}
+
+/// What stands in <asset>; COLLADA's own defaults are metres and +Y.
+Placement colladaPlacement(const std::filesystem::path& file)
+{
+    const std::string start = readStart(file, size_t(1) << 16);
+    Placement p;
+    if (const auto unit = between(start, "<unit", ">"))
+        if (const auto metres = between(*unit, "meter=\"", "\"")) p.metresPerUnit = metresOf(*metres).value_or(1);
+    if (const auto axis = between(start, "<up_axis>", "<")) p.up = upAxisOf(*axis).value_or(UpAxis::Y);
+    return p;
 }
 
 /// FBX: metres with +Y up from what its settings say. Others: Assimp has turned COLLADA already, the rest does not say.
@@ -110,6 +131,14 @@ std::set<std::string> namesThatCount(const aiScene& scene)
 }
 
 }  // namespace
+
+std::optional<Placement> statedPlacement(const Conversion& c)
+{
+    if (c.ending == ".dae") return colladaPlacement(c.file);
+    if (c.ending != ".fbx") return {};
+    const int32_t up = meta<int32_t>(c.in, "UpAxis", 1);
+    return Placement{unitScale(c.in), up == 2 ? UpAxis::Z : up == 0 ? UpAxis::X : UpAxis::Y};
+}
 
 NodeId Conversion::addNode(Node node, NodeId parent)
 {

@@ -8,6 +8,7 @@
 
 #include "app/importer/conversion.h"
 #include "core/io/file.h"
+#include "core/io/placement.h"
 
 namespace mw {
 
@@ -112,7 +113,10 @@ Imported readByAssimp(const std::filesystem::path& file)
     out.warnings = c.findings.warnings();
     out.warnings.insert(out.warnings.end(), c.warnings.begin(), c.warnings.end());
     out.format = formatOf(*scene, ending);
-    out.units = ending == ".fbx" || ending == ".dae" ? "metres" : "unknown";
+    const std::optional<Placement> stated = statedPlacement(c);
+    out.placement = stated.value_or(Placement{});
+    out.placementFromFile = stated.has_value();
+    out.units = stated ? unitText(stated->metresPerUnit) : "unknown";
     out.scene = Scene::restored(std::move(c.parts));
     return out;
 }

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/io/io.h"
+#include "core/io/placement.h"
 #include "core/scene/evaluation.h"
 
 namespace mw {
@@ -27,7 +27,22 @@ bool isShown(const Scene& scene, NodeId id)
     return true;
 }
 
-std::vector<Shown> shownMeshes(const Scene& scene, Progress* progress)
+/// Rounding of rotations kept as quaternions, taken out of the linear part: a model turned and turned back has its own numbers again.
+glm::dmat4 tidied(glm::dmat4 m)
+{
+    double most = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(m[i][k]));
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) {
+            double& e = m[i][k];
+            if (std::abs(e) < 1e-15 * most) e = 0;
+            if (const double whole = std::round(e); whole != 0 && std::abs(e - whole) < 1e-14 * std::abs(whole)) e = whole;
+        }
+    return m;
+}
+
+std::vector<Shown> shownMeshes(const Scene& scene, Progress* progress, const Placement& placement)
 {
     Evaluator evaluator;
     std::vector<Shown> shown;
@@ -40,7 +55,7 @@ std::vector<Shown> shownMeshes(const Scene& scene, Progress* progress)
         if (!object || !isShown(scene, nodes[i])) continue;
         auto known = done.find(node.mesh);
         if (known == done.end()) known = done.emplace(node.mesh, evaluator.evaluate(*object).result()).first;
-        shown.push_back({&node, object, scene.worldFromLocal(nodes[i]), known->second});
+        shown.push_back({&node, object, tidied(fileFromScene(placement) * scene.worldFromLocal(nodes[i])), known->second});
     }
     return shown;
 }
@@ -309,9 +324,9 @@ Scene withTerrainMeshes(const Scene& scene, size_t trianglesEach, Progress* prog
     return out;
 }
 
-Flattened flattened(const Scene& scene, Progress* progress)
+Flattened flattened(const Scene& scene, Progress* progress, const Placement& placement)
 {
-    std::vector<Shown> shown = shownMeshes(scene, progress);
+    std::vector<Shown> shown = shownMeshes(scene, progress, placement);
     if (shown.empty()) return {};
     if (shown.size() == 1) return {inWorld(shown[0]), shown[0].object->materials};
     return Joiner(shown).run();

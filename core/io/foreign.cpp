@@ -17,6 +17,7 @@
 
 #include "core/io/file.h"
 #include "core/io/gltf.h"
+#include "core/io/placement.h"
 
 namespace mw {
 
@@ -228,6 +229,10 @@ Imported readForeign(const fs::path& file, Progress* progress)
         in.project = false;
         in.format = textOf(said, "format");
         in.units = textOf(said, "units");
+        if (const auto metres = said.find("metresPerUnit"); metres != said.end() && metres->is_number() && metres->get<double>() > 0)
+            in.placement.metresPerUnit = metres->get<double>();
+        in.placement.up = upAxisOf(textOf(said, "up")).value_or(UpAxis::Y);
+        in.placementFromFile = said.value("placementFromFile", false);
         if (const auto list = said.find("warnings"); list != said.end() && list->is_array())
             for (const nlohmann::json& w : *list) in.warnings.push_back({textOf(w, "code"), textOf(w, "text"), {}});
         return in;

@@ -425,6 +425,7 @@ Imported readGltf(std::span<const uint8_t> content, const std::filesystem::path&
     Imported in;
     in.format = document.binary() ? "glTF 2.0 (binary)" : "glTF 2.0";
     in.units = "metres";
+    in.placementFromFile = true;
     if (auto project = projectIn(document, options.project)) {
         in.scene = std::move(*project);
         in.project = true;

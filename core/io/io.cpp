@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <glm/matrix.hpp>
+#include <charconv>
 #include <new>
+#include <set>
 
 #include "core/io/bvh.h"
 #include "core/io/file.h"
@@ -12,6 +13,7 @@
 #include "core/io/height_picture.h"
 #include "core/io/obj.h"
 #include "core/io/off.h"
+#include "core/io/placement.h"
 #include "core/io/ply.h"
 #include "core/io/stl.h"
 #include "core/scene/samples.h"
@@ -95,8 +97,8 @@ const std::vector<FileFormat>& fileFormats()
         {"glTF 2.0", {".glb", ".gltf"}, true, true},
         {"Wavefront OBJ", {".obj"}, true, true},
         {"Stanford PLY", {".ply"}, true, true},
-        {"Object file format OFF", {".off"}, true, false},
-        {"STL", {".stl"}, true, false},
+        {"Object file format OFF", {".off"}, true, true},
+        {"STL", {".stl"}, true, true},
         {"Biovision BVH", {".bvh"}, true, true},
         {"Height map PNG", {".png"}, true, true},
         {"Height map TGA", {".tga"}, true, false},
@@ -111,15 +113,6 @@ const std::vector<FileFormat>& fileFormats()
 }
 
 namespace {
-
-/// Metres and +Y up from the numbers of a file.
-glm::dmat4 sceneFromFile(const Placement& p)
-{
-    const double s = p.metresPerUnit;
-    if (p.up == UpAxis::Z) return {{s, 0, 0, 0}, {0, 0, -s, 0}, {0, s, 0, 0}, {0, 0, 0, 1}};
-    if (p.up == UpAxis::X) return {{0, s, 0, 0}, {-s, 0, 0, 0}, {0, 0, s, 0}, {0, 0, 0, 1}};
-    return {{s, 0, 0, 0}, {0, s, 0, 0}, {0, 0, s, 0}, {0, 0, 0, 1}};
-}
 
 Imported read(const fs::path& file, Progress* progress)
 {
@@ -155,10 +148,67 @@ Imported read(const fs::path& file, Progress* progress)
 
 }  // namespace
 
+namespace {
+
+/// Its motion replaces what a node's transform says.
+bool isMoved(const Scene& scene, NodeId id)
+{
+    for (const ClipId clip : scene.clips())
+        for (const auto& channel : scene.find(clip)->channels)
+            if (channel->node == id && channel->path != Channel::Path::Weights) return true;
+    return false;
+}
+
+/// The node that carries a root's placement: itself, or one above it.
+NodeId carrierOf(Scene& scene, NodeId root)
+{
+    while (scene.node(root).parent) root = scene.node(root).parent;
+    if (!isMoved(scene, root)) return root;
+    Node above;
+    above.name = scene.node(root).name + " placement";
+    const NodeId id = scene.add(std::move(above));
+    scene.reparent(root, id);
+    return id;
+}
+
+/// As large as the scene's meshes, in metres.
+double sizeOf(const Scene& scene)
+{
+    Bounds all;
+    for (const NodeId id : scene.nodes()) {
+        const MeshObject* object = scene.find(scene.node(id).mesh);
+        if (!object || object->base.vertexCount() == 0) continue;
+        const Bounds b = object->base.bounds();
+        const glm::dmat4 world = scene.worldFromLocal(id);
+        for (int i = 0; i < 8; ++i)
+            all.add(glm::dvec3(world * glm::dvec4(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z, 1)));
+    }
+    return all.empty ? 0 : all.diagonal();
+}
+
+/// Where the file does not say its unit and metres give an unlikely size.
+void doubtUnit(Imported& in)
+{
+    const double size = sizeOf(in.scene);
+    if (!(size > 100) && !(size > 0 && size < 0.001)) return;
+    char text[32];
+    const std::string number(text, std::to_chars(text, text + sizeof text, size, std::chars_format::general, 3).ptr);
+    in.warnings.push_back({"unit-guess",
+                           "the file does not say its unit; taken as metres it is " + number + " m across: " +
+                               (size > 100 ? "very large, perhaps its numbers are millimetres?" : "very small, perhaps its numbers are kilometres?") +
+                               " Say the unit when you import it",
+                           {}});
+}
+
+}  // namespace
+
 void placeAgain(Scene& scene, const std::vector<NodeId>& roots, const Placement& from, const Placement& to)
 {
-    const glm::dmat4 change = sceneFromFile(to) * glm::inverse(sceneFromFile(from));
-    for (const NodeId id : roots) {
+    if (from == to) return;
+    const glm::dmat4 change = sceneFromFile(to) * fileFromScene(from);
+    std::set<NodeId> carriers;
+    for (const NodeId id : std::vector<NodeId>(roots)) carriers.insert(carrierOf(scene, id));
+    for (const NodeId id : carriers) {
         Node n = scene.node(id);
         n.local = transformOf(change * n.local.matrix());
         scene.set(id, std::move(n));
@@ -167,21 +217,25 @@ void placeAgain(Scene& scene, const std::vector<NodeId>& roots, const Placement&
 
 Imported readFile(const fs::path& file, Progress* progress, const ImportOptions& options)
 {
-    if (options.metresPerUnit && !(*options.metresPerUnit > 0 && *options.metresPerUnit < 1e12))
-        throw Error(file.string(), "a unit must be longer than 0 metres");
+    if (options.metresPerUnit && !(*options.metresPerUnit >= 1e-12 && *options.metresPerUnit <= 1e12))
+        throw Error(file.string(), "a unit must be between 1e-12 and 1e12 metres long");
     Imported in = read(file, progress);
     const Placement wanted{options.metresPerUnit.value_or(in.placement.metresPerUnit), options.up.value_or(in.placement.up)};
-    if (wanted == in.placement) return in;
     placeAgain(in.scene, in.scene.roots(), in.placement, wanted);
+    in.placementFromFile = in.placementFromFile && wanted == in.placement;
     in.placement = wanted;
+    if (options.metresPerUnit) in.units = unitText(*options.metresPerUnit);
+    if (!options.metresPerUnit && !in.placementFromFile) doubtUnit(in);
     return in;
 }
 
 std::vector<Warning> writeFile(const Scene& scene, const fs::path& file, const WriteOptions& options, Progress* progress)
 {
+    if (!(options.placement.metresPerUnit >= 1e-12 && options.placement.metresPerUnit <= 1e12))
+        throw Error(file.string(), "a unit must be between 1e-12 and 1e12 metres long");
     switch (byEnding(file)) {
         case Type::Obj:
-            return writeObj(withTerrainMeshes(scene, options.terrainTriangles, progress), file, progress);
+            return writeObj(withTerrainMeshes(scene, options.terrainTriangles, progress), file, options, progress);
         case Type::Ply:
             return writePly(withTerrainMeshes(scene, options.terrainTriangles, progress), file, options, progress);
         case Type::Gltf:
@@ -192,7 +246,9 @@ std::vector<Warning> writeFile(const Scene& scene, const fs::path& file, const W
             if (ending(file) == ".png") return writeHeightPicture(scene, file, progress);
             break;
         case Type::Off:
+            return writeOff(withTerrainMeshes(scene, options.terrainTriangles, progress), file, options, progress);
         case Type::Stl:
+            return writeStl(withTerrainMeshes(scene, options.terrainTriangles, progress), file, options, progress);
         case Type::Foreign:
         case Type::Unknown:
             break;

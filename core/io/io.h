@@ -32,7 +32,7 @@ struct Imported {
     Scene scene;
     std::vector<Warning> warnings;
     std::string format;              ///< "OBJ", "PLY (binary, little-endian)", ...
-    std::string units;               ///< "metres", or "unknown" when the format does not say
+    std::string units;               ///< of the numbers in the file: "metres", "centimetres", ...; "unknown" when it does not say
     bool project = false;            ///< it carried MESHWRIGHT_project: opens as it was saved
     Placement placement = {};        ///< what was assumed, or asked for, or said by the file
     bool placementFromFile = false;  ///< the file said so
@@ -47,7 +47,7 @@ const std::vector<FileFormat>& fileFormats();
 
 /// By content, then by ending; "sample:NAME" is a scene made by the program. Throws Error, Cancelled.
 Imported readFile(const std::filesystem::path& file, Progress* progress = nullptr, const ImportOptions& options = {});
-/// Roots of a scene that was read one way, as if it had been read the other way.
+/// Roots of a scene that was read one way, as if it had been read the other way. A root that a clip moves gets a node above it.
 void placeAgain(Scene& scene, const std::vector<NodeId>& roots, const Placement& from, const Placement& to);
 
 struct WriteOptions {
@@ -63,12 +63,13 @@ std::vector<Warning> writeFile(const Scene& scene, const std::filesystem::path& 
 
 /// A scene of one node that shows one mesh.
 Scene sceneOf(Mesh mesh, std::string name);
-/// All visible nodes' evaluated meshes in world space as one mesh, materials merged into slots; for formats without a hierarchy.
+/// All visible nodes' evaluated meshes in world space as one mesh, materials merged into slots; for formats without a hierarchy. Numbers are
+/// meant as `placement` says.
 struct Flattened {
     Mesh mesh;
     std::vector<MaterialId> materials;
 };
-Flattened flattened(const Scene& scene, Progress* progress = nullptr);
+Flattened flattened(const Scene& scene, Progress* progress = nullptr, const Placement& placement = {});
 /// Nodes that show a terrain and no mesh show a mesh of it; for formats that know no terrains.
 Scene withTerrainMeshes(const Scene& scene, size_t trianglesEach, Progress* progress = nullptr);
 

@@ -8,6 +8,7 @@
 
 #include "core/io/file.h"
 #include "core/io/findings.h"
+#include "core/io/placement.h"
 #include "core/io/text.h"
 #include "core/steps/progress.h"
 
@@ -39,6 +40,7 @@ struct ObjData {
     };
     std::vector<Early> early;
     uint64_t firstFaceLine = 0;
+    Stated stated;
     Findings findings;
 };
 

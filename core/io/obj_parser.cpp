@@ -116,6 +116,7 @@ private:
     void startRun(std::vector<ObjRun>& runs, Names& names, const std::string& name, const Finding& tooMany);
     const char* lineElement(const char* p);
     const char* named(const char* p);
+    void comment(const char* p);
     std::string rest(const char* p) const;
     std::string here(std::string_view what) const { return "line " + std::to_string(line_) + (what.empty() ? "" : ": ") + std::string(what); }
 
@@ -167,6 +168,7 @@ const char* Parser::statement(const char* p)
     } else if (*p == 'l' && isBlank(p[1])) {
         return lineElement(p + 1);
     }
+    if (*p == '#') comment(p + 1);
     return endsLine(*p) && *p != '\0' ? p : named(p);
 }
 
@@ -391,6 +393,12 @@ std::string Parser::rest(const char* p) const
 {
     const char* end = static_cast<const char*>(std::memchr(p, '\n', size_t(bytes_.end() - p + 1)));
     return std::string(trimmed({p, size_t(end - p)}));
+}
+
+/// Only where programs say such things: a scan may have a comment a line.
+void Parser::comment(const char* p)
+{
+    if (line_ <= 1000) data_.stated.listen(rest(p));
 }
 
 const char* Parser::named(const char* p)

@@ -255,6 +255,7 @@ Imported readObj(const fs::path& file, Progress* progress)
     out.warnings = data.findings.warnings();
     out.format = "OBJ";
     out.units = "unknown";
+    data.stated.tell(out);
     return out;
 }
 

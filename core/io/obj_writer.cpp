@@ -9,6 +9,7 @@
 
 #include "core/io/mtl.h"
 #include "core/io/obj.h"
+#include "core/io/placement.h"
 #include "core/io/text.h"
 #include "core/io/text_out.h"
 
@@ -62,8 +63,8 @@ std::string lineName(std::string_view name, const char* otherwise)
 
 class Writer {
 public:
-    Writer(const Scene& scene, const fs::path& file, Progress* progress)
-        : scene_(scene), file_(file), progress_(progress), flat_(flattened(scene)), mesh_(flat_.mesh)
+    Writer(const Scene& scene, const fs::path& file, const WriteOptions& options, Progress* progress)
+        : scene_(scene), file_(file), options_(options), progress_(progress), flat_(flattened(scene, nullptr, options.placement)), mesh_(flat_.mesh)
     {}
     std::vector<Warning> run();
 
@@ -83,6 +84,7 @@ private:
 
     const Scene& scene_;
     const fs::path& file_;
+    const WriteOptions& options_;
     Progress* progress_;
     Flattened flat_;
     const Mesh& mesh_;
@@ -276,7 +278,7 @@ void Writer::writeObjFile()
 {
     OutputFile& file = files_.emplace_back(file_);
     TextOut out(file);
-    file.write("# Meshwright\n");
+    file.write("# Meshwright\n# " + statement(options_.placement) + "\n");
     if (!materials_.empty()) file.write("mtllib " + fs::path(file_).replace_extension(".mtl").filename().string() + "\n");
     vertices(out);
     faces(file, out);
@@ -306,9 +308,9 @@ std::vector<Warning> Writer::run()
 
 }  // namespace
 
-std::vector<Warning> writeObj(const Scene& scene, const fs::path& file, Progress* progress)
+std::vector<Warning> writeObj(const Scene& scene, const fs::path& file, const WriteOptions& options, Progress* progress)
 {
-    return Writer(scene, file, progress).run();
+    return Writer(scene, file, options, progress).run();
 }
 
 }  // namespace mw

@@ -171,6 +171,10 @@ bool Reader::run()
     at_ = start() + 12;
     vertices();
     faces();
+    // Four values are the rule: where none is transparent they were three.
+    bool opaque = true;
+    for (size_t i = 0; i < data_.colors.size() && opaque; ++i) opaque = data_.colors[i].a == 1;
+    if (opaque && data_.colorSize == 4) data_.colorSize = 3;
     return layout_.big;
 }
 

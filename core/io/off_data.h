@@ -7,6 +7,7 @@
 
 #include "core/io/file.h"
 #include "core/io/findings.h"
+#include "core/io/placement.h"
 #include "core/io/text.h"
 #include "core/steps/progress.h"
 
@@ -32,6 +33,7 @@ struct OffData {
     Filling<uint32_t> faceStart, cornerVertex;
     Filling<Color> faceColorKind;  ///< empty or one a face
     Filling<glm::vec4> faceColor;  ///< with it, as they stand
+    Stated stated;                 ///< by comments
     Findings findings;
 
     void addFaceColor(size_t face, Color kind, glm::vec4 value)

@@ -65,7 +65,9 @@ inline bool Parser::skip()
             line_ += *p_++ == '\n';
         }
         if (*p_ != '#') return true;
-        p_ = static_cast<const char*>(std::memchr(p_, '\n', size_t(bytes_.end() - p_ + 1)));
+        const char* end = static_cast<const char*>(std::memchr(p_, '\n', size_t(bytes_.end() - p_ + 1)));
+        if (line_ <= 1000) data_.stated.listen({p_ + 1, size_t(end - p_ - 1)});
+        p_ = end;
     }
 }
 
@@ -294,13 +296,16 @@ bool readOffHeader(std::string_view text, OffHeader& header)
                        : rest.starts_with("4") ? &header.homogeneous
                        : rest.starts_with("n") ? &header.dimensions
                                                : nullptr;
-        if (!letter || *letter) return false;
+        if (!letter || *letter) {
+            header = {};
+            return false;
+        }
         *letter = true;
         at += letter == &header.texcoord ? 2 : 1;
     }
     at += 3;
     // Some programs forget the blank: "OFF8 6 12".
-    if (at < text.size() && !endsToken(text[at]) && text[at] != '#' && !isDigit(text[at])) return false;
+    if (at < text.size() && !endsToken(text[at]) && text[at] != '#' && !isDigit(text[at])) return header = {}, false;
     size_t word = at;
     while (word < text.size() && (text[word] == ' ' || text[word] == '\t')) ++word;
     if (text.substr(word).starts_with("BINARY") && word > at) {

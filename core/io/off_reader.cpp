@@ -64,6 +64,12 @@ Mesh Builder::checked()
     return Mesh(std::move(positions), std::move(kept_.faceStart), std::move(kept_.cornerVertex));
 }
 
+/// Were these fractions bytes once?
+bool areBytes(const Array<float>& values)
+{
+    return std::all_of(values.begin(), values.end(), [](float v) { return v >= 0 && v <= 1 && float(std::round(double(v) * 255) / 255) == v; });
+}
+
 /// `components` floats of each element; whole numbers up to 255 become fractions.
 Attribute Builder::values(std::string_view name, Domain domain, int components, const float* from, size_t stride, size_t count, bool whole)
 {
@@ -74,8 +80,9 @@ Attribute Builder::values(std::string_view name, Domain domain, int components, 
             if (!std::isfinite(v)) data_.findings.add(valueFinding);
             out[i * size_t(components) + k] = !std::isfinite(v) ? 0 : whole ? float(double(v) / 255) : v;
         }
+    const bool bytes = whole || (name == names::color && areBytes(out));
     Attribute a = floatAttribute(std::string(name), domain, components, std::move(out));
-    if (whole) a.stored = Scalar::UInt8;
+    if (bytes) a.stored = Scalar::UInt8;
     return a;
 }
 
@@ -188,6 +195,7 @@ Imported readOff(const fs::path& file, Progress* progress)
         std::string(header.texcoord ? "ST" : "") + (header.color ? "C" : "") + (header.normal ? "N" : "") + (header.homogeneous ? "4" : "") + "OFF";
     out.format = word + (!header.binary ? " (text)" : big ? " (binary, big-endian)" : " (binary, little-endian)");
     out.units = "unknown";
+    data.stated.tell(out);
     return out;
 }
 

@@ -85,9 +85,11 @@ PlyHeader HeaderReader::run()
 
 void HeaderReader::keyword()
 {
-    if (words_.empty() || words_[0] == "obj_info") return;
-    if (words_[0] == "comment") {
-        if (words_.size() > 1 && words_[1] == "group") header_.groupNames.emplace_back(trimmed(text_.substr(text_.find("group") + 5)));
+    if (words_.empty()) return;
+    if (words_[0] == "comment" || words_[0] == "obj_info") {
+        header_.stated.listen(text_.substr(words_[0].size()));
+        if (words_.size() > 1 && words_[1] == "group" && words_[0] == "comment")
+            header_.groupNames.emplace_back(trimmed(text_.substr(text_.find("group") + 5)));
     } else if (words_[0] == "format") {
         format();
     } else if (words_[0] == "element") {

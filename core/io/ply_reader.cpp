@@ -552,6 +552,7 @@ Imported readPly(const fs::path& file, Progress* progress)
                  : e == PlyHeader::Encoding::Little ? "PLY (binary, little-endian)"
                                                     : "PLY (binary, big-endian)";
     out.units = "unknown";
+    reader.header().stated.tell(out);
     return out;
 }
 

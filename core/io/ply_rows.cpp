@@ -13,6 +13,8 @@ namespace {
 
 constexpr Finding extraFinding{"extra-values", "row has more values than its element says: ignored",
                                "rows have more values than their element says: ignored"};
+constexpr Finding noListFinding{"missing-list", "row ends before a list that the header announces: taken as empty",
+                                "rows end before a list that the header announces: taken as empty"};
 constexpr Finding rangeFinding{"value-range", "value is not a whole number of its type: the nearest is taken",
                                "values are not whole numbers of their type: the nearest are taken"};
 constexpr Finding trailingFinding{"trailing-bytes", "piece of data after the last element: ignored",
@@ -193,6 +195,21 @@ double PlyBody::textValue(const PlyElement& element, const PlyColumn& column, Sc
     return type == Scalar::Float32 ? double(f) : d;
 }
 
+/// Goes to the next value of a row of text; false when the line ends.
+bool PlyBody::nextInLine()
+{
+    while (*p_ == ' ' || *p_ == '\t') ++p_;
+    return *p_ != '\n' && *p_ != '\r' && p_ < bytes_.end();
+}
+
+/// Rows may stop before a list that the header should not have had: it counts as empty.
+void PlyBody::noList(PlyColumn& column)
+{
+    findings_.add(noListFinding, [&] { return "line " + std::to_string(line_) + ": " + inQuotes(column.property.name); });
+    if (column.indices) column.indices->start.push(uint32_t(column.indices->values.size()));
+    if (column.list) std::visit([](auto& lists) { lists.start.push(uint32_t(lists.values.size())); }, *column.list);
+}
+
 /// A row a line; blank lines are passed over.
 void PlyBody::readText(const PlyElement& element, std::vector<PlyColumn>& columns)
 {
@@ -201,7 +218,9 @@ void PlyBody::readText(const PlyElement& element, std::vector<PlyColumn>& column
         for (; p_ < bytes_.end() && endsToken(*p_); ++p_) line_ += *p_ == '\n';
         if (p_ >= bytes_.end()) fail(element, "the file ends before it; " + std::to_string(rows) + " rows were promised");
         for (PlyColumn& c : columns) {
-            if (c.property.list)
+            if (c.property.list && !nextInLine())
+                noList(c);
+            else if (c.property.list)
                 readList(element, c, 2, [&](Scalar type) { return textValue(element, c, type); });
             else
                 store(c, textValue(element, c, c.property.type));

@@ -6,6 +6,7 @@
 
 #include "core/io/file.h"
 #include "core/io/findings.h"
+#include "core/io/placement.h"
 #include "core/io/text.h"
 #include "core/mesh/attribute.h"
 #include "core/steps/progress.h"
@@ -27,6 +28,7 @@ struct PlyHeader {
     enum class Encoding { Text, Little, Big } encoding = Encoding::Text;
     std::vector<PlyElement> elements;
     std::vector<std::string> groupNames;  ///< "comment group NAME", as the writer here puts them
+    Stated stated;                        ///< by comments
     size_t bodyStart = 0;                 ///< byte
     uint64_t bodyLine = 1;                ///< lines before it, and one
 };
@@ -71,6 +73,8 @@ public:
 
 private:
     size_t left() const { return size_t(bytes_.end() - p_); }
+    bool nextInLine();
+    void noList(PlyColumn& column);
     void readText(const PlyElement& element, std::vector<PlyColumn>& columns);
     void readFixed(const PlyElement& element, std::vector<PlyColumn>& columns, size_t rowBytes);
     bool readPlainFaces(const PlyElement& element, std::vector<PlyColumn>& columns);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/io/corner_values.h"
+#include "core/io/placement.h"
 #include "core/io/ply.h"
 #include "core/io/ply_rows.h"
 #include "core/io/text_out.h"
@@ -54,7 +55,7 @@ public:
         : file_(file),
           options_(options),
           progress_(progress),
-          flat_(flattened(scene)),
+          flat_(flattened(scene, nullptr, options.placement)),
           mesh_(flat_.mesh),
           out_(file),
           text_(out_),
@@ -157,7 +158,7 @@ void Writer::header()
                     (!options_.binary ? "ascii"
                      : swap_          ? "binary_big_endian"
                                       : "binary_little_endian") +
-                    " 1.0\ncomment Meshwright\n";
+                    " 1.0\ncomment Meshwright\ncomment " + statement(options_.placement) + "\n";
     for (const std::string& name : mesh_.groupNames()) {
         std::string line = name;
         std::replace_if(

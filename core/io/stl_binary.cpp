@@ -1,5 +1,7 @@
 // Binary STL to arrays. Two bytes of each facet may be its colour, in one of two ways.
+#include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cstring>
 
 #include "core/io/stl_data.h"
@@ -49,6 +51,17 @@ void colors(const FileBytes& bytes, size_t count, StlData& data)
     }
 }
 
+/// "Meshwright; units: millimetres, up: z" here, "UNITS=mm" elsewhere.
+void header(std::string_view text, StlData& data)
+{
+    text = text.substr(0, std::min(text.find('\0'), text.size()));
+    for (size_t i = 0; i + 5 < text.size(); ++i)
+        if (i == 0 || !std::isalpha(static_cast<unsigned char>(text[i - 1]))) {
+            const size_t end = text.find_first_of(",;", i);
+            data.stated.listen(trimmed(text.substr(i, end == text.npos ? end : end - i)));
+        }
+}
+
 }  // namespace
 
 void parseStlBinary(const FileBytes& bytes, const std::string& file, StlData& data, Progress* progress)
@@ -62,6 +75,7 @@ void parseStlBinary(const FileBytes& bytes, const std::string& file, StlData& da
     const size_t count = size_t(announced);
     if (3 * announced >= none - 2) throw Error(file, "more elements than 32-bit indices can number; split the file");
     if (stlHeader + count * stlFacet < bytes.size()) data.findings.add(trailingFinding);
+    header(bytes.text().substr(0, 80), data);
     data.corners.expect(3 * count);
     for (size_t f = 0; f < count; ++f) {
         const char* p = bytes.data() + stlHeader + f * stlFacet + 12;

@@ -6,6 +6,7 @@
 
 #include "core/io/file.h"
 #include "core/io/findings.h"
+#include "core/io/placement.h"
 #include "core/io/text.h"
 #include "core/steps/progress.h"
 
@@ -17,6 +18,7 @@ struct StlData {
     Filling<int32_t> solid;       ///< of each facet; empty when no solid has a name
     std::vector<std::string> solidNames;
     Array<glm::vec3> colors;  ///< of facets; empty or one each
+    Stated stated;            ///< by the header of a binary file
     Findings findings;
 };
 

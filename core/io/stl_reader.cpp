@@ -191,6 +191,7 @@ Imported readStl(const fs::path& file, Progress* progress)
     out.warnings = data.findings.warnings();
     out.format = text ? "STL (text)" : "STL (binary)";
     out.units = "unknown";
+    data.stated.tell(out);
     return out;
 }
 

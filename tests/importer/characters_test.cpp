@@ -120,7 +120,9 @@ TEST_P(Characters, HasWhatTheTableSays)
     MESHWRIGHT_DATA_OR_SKIP(data);
     const Imported in = readByAssimp(data / "characters" / e().file);
     checkCounts(in.scene, e());
-    EXPECT_EQ(in.units, e().metres == 1 ? "unknown" : "metres");
+    EXPECT_EQ(in.units, e().metres == 1 ? "unknown" : "centimetres");
+    EXPECT_EQ(in.placement.metresPerUnit, e().metres);
+    EXPECT_EQ(in.placementFromFile, e().metres != 1);
     EXPECT_FALSE(in.format.empty());
     EXPECT_FALSE(skeletonRoots(in.scene).empty());
 }

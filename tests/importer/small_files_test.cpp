@@ -139,8 +139,11 @@ TEST_F(SmallFiles, ColladaSaysUnitAndAxis)
     ASSERT_TRUE(unit != dae.npos && axis != dae.npos);
     dae.replace(axis, 4, "Z_UP");
     dae.replace(unit, end + 2 - unit, "<unit name=\"inch\" meter=\"0.0254\"/>");
-    const Scene s = readByAssimp(write("inch.dae", dae)).scene;
-    expectBounds(s, glm::dvec3(0, 0, -4) * 0.0254, glm::dvec3(2, 6, 0) * 0.0254);  // z was up, so y points to us
+    const Imported in = readByAssimp(write("inch.dae", dae));
+    EXPECT_EQ(in.units, "inches");
+    EXPECT_EQ(in.placement, (Placement{0.0254, UpAxis::Z}));
+    EXPECT_TRUE(in.placementFromFile);
+    expectBounds(in.scene, glm::dvec3(0, 0, -4) * 0.0254, glm::dvec3(2, 6, 0) * 0.0254);  // z was up, so y points to us
 }
 
 TEST_F(SmallFiles, ThreeDStudio)
@@ -165,7 +168,9 @@ TEST_F(SmallFiles, FbxAsText)
     const Imported in = readByAssimp(exported("fbxa", "box.fbx"));
     expectBox(in.scene, 2);
     expectBounds(in.scene, {0, 0, 0}, {0.02, 0.04, 0.06});
-    EXPECT_EQ(in.units, "metres");
+    EXPECT_EQ(in.units, "centimetres");
+    EXPECT_EQ(in.placement, (Placement{0.01, UpAxis::Y}));
+    EXPECT_TRUE(in.placementFromFile);
     EXPECT_EQ(in.format, "Autodesk FBX 7.5");
 }
 

@@ -59,11 +59,14 @@ TEST_F(Foreign, ResultIsReadWithFormatUnitsAndWarnings)
     const mw::Scene scene =
         mw::sceneOf(mw::Mesh::triangles(mw::Array<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, mw::Array<uint32_t>{0, 1, 2}), "piece");
     mw::writeGltf(scene, folder_ / "result.glb", {.project = true});
-    importerDoes("cat " + (folder_ / "result.glb").string() +
-                 R"(; echo noise >&2; echo '{"format":"F 1","units":"metres","warnings":[{"code":"c","text":"t"}]}' >&2)");
+    importerDoes(
+        "cat " + (folder_ / "result.glb").string() +
+        R"(; echo noise >&2; echo '{"format":"F 1","units":"centimetres","metresPerUnit":0.01,"up":"z","placementFromFile":true,"warnings":[{"code":"c","text":"t"}]}' >&2)");
     const mw::Imported in = mw::readForeign(file());
     EXPECT_EQ(in.format, "F 1");
-    EXPECT_EQ(in.units, "metres");
+    EXPECT_EQ(in.units, "centimetres");
+    EXPECT_EQ(in.placement, (mw::Placement{0.01, mw::UpAxis::Z}));
+    EXPECT_TRUE(in.placementFromFile);
     EXPECT_FALSE(in.project);
     ASSERT_EQ(in.warnings.size(), 1u);
     EXPECT_EQ(in.warnings[0].code, "c");

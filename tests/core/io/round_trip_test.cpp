@@ -128,6 +128,119 @@ TEST(RoundTrip, ObjKeepsWhatItHolds)
     expectEqual(patch(), written(patch(), "b.obj"));
 }
 
+/// Faces only, and every vertex used: what STL and OFF hold.
+Mesh tiles()
+{
+    Array<glm::vec3> p{{0, 0, 0}, {1, 0, 0.1f}, {1, 1, -1e-20f}, {0, 1, 1e20f}, {2, 0.333333343f, 0}, {2, 1, 16777217}};
+    return Mesh(std::move(p), Array<uint32_t>{0, 3, 6, 10}, Array<uint32_t>{0, 1, 2, 0, 2, 3, 1, 4, 5, 2});
+}
+
+/// Corner values that are the same all round a vertex.
+Attribute byVertex(const char* name, int components, const Mesh& mesh, float scale)
+{
+    Attribute a = gathered(floats(name, Domain::Vertex, components, mesh, scale), mesh.cornerVertex());
+    a.domain = Domain::Corner;
+    return a;
+}
+
+Attribute byFace(const char* name, const Mesh& mesh, float step)
+{
+    Array<float> values;
+    for (size_t f = 0; f < mesh.faceCount(); ++f)
+        for (size_t i = 0; i < 3 * mesh.face(f).size(); ++i) values.push_back(float((7 * f + i % 3) % 32) * step);
+    return floatAttribute(name, Domain::Corner, 3, std::move(values));
+}
+
+TEST(RoundTrip, OffKeepsWhatItHolds)
+{
+    const Mesh bare = tiles();
+    Mesh full = bare;
+    full = full.with(floats("normal", Domain::Vertex, 3, full, 0.013f)).with(byVertex("texcoord", 2, full, 0.017f));
+    const Mesh both = full.with(floats("color", Domain::Vertex, 4, full, 0.0091f)).with(byFace("color", full, 1 / 31.f));
+    const Mesh indices = bare.with(integerAttribute("color_index", Domain::Face, 1, Array<int32_t>{3, -1, 164}));
+    for (const bool binary : {false, true}) {
+        SCOPED_TRACE(binary);
+        const WriteOptions options{.binary = binary};
+        for (const Mesh& m : {bare, full, both, bare.with(floats("color", Domain::Vertex, 3, bare, 0.0033f)), bare.with(byFace("color", bare, 0.01f)),
+                              bare.with(bytes255("color", Domain::Vertex, 3, bare))}) {
+            const Folder folder;
+            const auto lost = writeFile(sceneOf(m, "m"), folder.path / "a.off", options);
+            EXPECT_TRUE(lost.empty()) << lost[0].text;
+            expectEqual(m, meshOf(readFile(folder.path / "a.off")));
+        }
+        const Folder folder;
+        writeFile(sceneOf(indices, "m"), folder.path / "a.off", options);
+        expectEqual(indices, meshOf(readFile(folder.path / "a.off")));
+    }
+}
+
+TEST(RoundTrip, OffSaysWhatItCannotHold)
+{
+    const Folder folder;
+    Mesh m = patch();
+    m = m.with(floats("texcoord", Domain::Corner, 2, m, 0.013f)).with(floats("quality", Domain::Vertex, 1, m, 1));
+    const auto lost = writeFile(sceneOf(m, "m"), folder.path / "a.off", {.binary = false});
+    EXPECT_TRUE(warning(lost, "seam-lost"));
+    EXPECT_TRUE(warning(lost, "line-lost"));
+    ASSERT_TRUE(warning(lost, "attribute-lost"));
+    EXPECT_NE(warning(lost, "attribute-lost")->text.find("quality"), std::string::npos);
+    const Mesh back = meshOf(readFile(folder.path / "a.off"));
+    EXPECT_EQ(back.vertexCount(), 7u);  // the loose one, too
+    EXPECT_TRUE(back.attributes().empty());
+}
+
+TEST(RoundTrip, StlKeepsTrianglesColoursAndSolids)
+{
+    // The order of vertices is that of first use, so that reading numbers them as before.
+    Array<glm::vec3> p{{0, 0, 0}, {1, 0, 0.1f}, {1, 1, -1e-20f}, {0, 1, 12.5f}, {2, 0.333333343f, 0}};
+    Mesh m(std::move(p), Array<uint32_t>{0, 3, 6, 9}, Array<uint32_t>{0, 1, 2, 0, 2, 3, 1, 4, 2});
+    for (const bool binary : {false, true}) {
+        const Mesh back = written(m, "a.stl", {.binary = binary});
+        EXPECT_EQ(back.faceCount(), 3u);
+    }
+    const Folder folder;
+    EXPECT_TRUE(writeFile(sceneOf(m, "m"), folder.path / "a.stl", {.binary = true}).empty());
+    expectEqual(m, meshOf(readFile(folder.path / "a.stl")));
+    EXPECT_TRUE(writeFile(sceneOf(m, "m"), folder.path / "b.stl", {.binary = false}).empty());
+    expectEqual(m, meshOf(readFile(folder.path / "b.stl")));
+    const Mesh groups = m.with(integerAttribute("group", Domain::Face, 1, Array<int32_t>{0, 1, 0})).withGroupNames({"left one", "right"});
+    EXPECT_TRUE(writeFile(sceneOf(groups, "m"), folder.path / "c.stl", {.binary = false}).empty());
+    expectEqual(groups, meshOf(readFile(folder.path / "c.stl")));
+    EXPECT_TRUE(warning(writeFile(sceneOf(groups, "m"), folder.path / "d.stl"), "attribute-lost"));
+    Mesh colored = m.with(byFace("color", m, 0));
+    Array<float> values;
+    for (size_t f = 0; f < 3; ++f)
+        for (size_t i = 0; i < 9; ++i) values.push_back(float(double((11 * f + i % 3) % 32) / 31));
+    colored = m.with(floatAttribute("color", Domain::Corner, 3, std::move(values)));
+    EXPECT_TRUE(warning(writeFile(sceneOf(colored, "m"), folder.path / "e.stl"), "color-coarse"));
+    expectEqual(colored, meshOf(readFile(folder.path / "e.stl")));
+    EXPECT_TRUE(warning(writeFile(sceneOf(patch(), "m"), folder.path / "f.stl"), "triangulated"));
+    EXPECT_TRUE(warning(writeFile(sceneOf(patch(), "m"), folder.path / "f.stl"), "point-lost"));
+}
+
+TEST(RoundTrip, UnitsAndAxesComeBackToTheSameBits)
+{
+    const Mesh m = tiles();
+    for (const char* name : {"a.obj", "a.ply", "a.off"})
+        for (const bool binary : {false, true})
+            for (const UpAxis up : {UpAxis::Y, UpAxis::Z, UpAxis::X}) {
+                SCOPED_TRACE(std::string(name) + " " + std::to_string(int(up)));
+                const Folder folder;
+                const WriteOptions options{.binary = binary, .placement = {1, up}};
+                writeFile(sceneOf(m, "m"), folder.path / name, options);
+                const bool says = !(binary && name == std::string("a.off"));
+                const Imported in = readFile(folder.path / name, nullptr, says ? ImportOptions{} : ImportOptions{1, up});
+                EXPECT_EQ(in.placement, options.placement);
+                EXPECT_EQ(in.placementFromFile, says);
+                EXPECT_EQ(contentHash(flattened(in.scene).mesh), contentHash(m));
+                const glm::vec3 p = m.positions()[4], q = meshOf(in).positions()[4];
+                EXPECT_EQ(q, up == UpAxis::Y ? p : up == UpAxis::Z ? glm::vec3(p.x, -p.z, p.y) : glm::vec3(p.y, -p.x, p.z));
+                // And the file's own numbers come out again.
+                writeFile(in.scene, folder.path / (std::string("again-") + name), options);
+                EXPECT_EQ(bytesOf(folder.path / (std::string("again-") + name)), bytesOf(folder.path / name));
+            }
+}
+
 TEST(RoundTrip, ObjKeepsMaterialsAndPictures)
 {
     const Folder folder;

@@ -7,39 +7,11 @@
 namespace mw {
 namespace {
 
-/// As in resources/shaders/camera.glsl and lights.glsl.
+/// As in resources/shaders/camera.glsl.
 struct CameraBlock {
     glm::mat4 clipFromView;
     glm::vec4 viewport, eye, skyTop, skyBottom;
 };
-struct LightsBlock {
-    glm::vec4 direction[3], light[3], sky, ground, halfway;
-};
-
-template <class Block>
-void uploadBlock(gl::Buffer& buffer, GLuint point, const Block& block)
-{
-    glBindBuffer(GL_UNIFORM_BUFFER, buffer.id());
-    glBufferData(GL_UNIFORM_BUFFER, sizeof(Block), &block, GL_STREAM_DRAW);
-    glBindBufferBase(GL_UNIFORM_BUFFER, point, buffer.get());
-}
-
-LightsBlock studio()
-{
-    const auto towards = [](glm::vec3 d) { return glm::vec4(glm::normalize(d), 0); };
-    LightsBlock l;
-    l.direction[0] = towards({-0.45f, 0.72f, 0.62f});
-    l.direction[1] = towards({0.85f, 0.1f, 0.45f});
-    l.direction[2] = towards({0.25f, 0.5f, -0.85f});
-    l.halfway = towards(glm::vec3(l.direction[0]) + glm::vec3(0, 0, 1));
-    l.light[0] = glm::vec4(0.66f * glm::vec3(1.0f, 0.985f, 0.96f), 0);
-    l.light[1] = glm::vec4(0.10f * glm::vec3(0.85f, 0.93f, 1.0f), 0);
-    l.light[2] = glm::vec4(0.22f * glm::vec3(0.92f, 0.96f, 1.0f), 0);
-    l.sky = glm::vec4(0.13f * glm::vec3(0.93f, 0.97f, 1.05f), 0);
-    l.ground = glm::vec4(0.035f * glm::vec3(1.05f, 1.0f, 0.95f), 0);
-    return l;
-}
-
 }  // namespace
 
 DrawContext::DrawContext(GpuState& state, const Frame& f, glm::ivec2 s) : gpu(state), frame(f), size(s), camera(f.camera)
@@ -76,7 +48,7 @@ ObjectBlock DrawContext::blockOf(const glm::dmat4& worldFromLocal) const
 
 void DrawContext::setObject(const ObjectBlock& block)
 {
-    uploadBlock(gpu.objectBlock, mw::objectBlock, block);
+    gl::uploadBlock(gpu.objectBlock, mw::objectBlock, block);
 }
 
 void DrawContext::texture(TextureUnit unit, GLenum target, GLuint id) const
@@ -123,8 +95,8 @@ void uploadFrameBlocks(DrawContext& c)
     const bool outdoors = !c.frame.terrains.empty();
     block.skyTop = glm::vec4(outdoors ? theme.skyTop : theme.top, alpha);
     block.skyBottom = glm::vec4(outdoors ? theme.skyBottom : theme.bottom, alpha);
-    uploadBlock(c.gpu.cameraBlock, cameraBlock, block);
-    uploadBlock(c.gpu.lightsBlock, lightsBlock, studio());
+    gl::uploadBlock(c.gpu.cameraBlock, cameraBlock, block);
+    lightFrame(c);
 }
 
 }  // namespace mw

@@ -4,6 +4,7 @@
 
 #include "render/colors.h"
 #include "render/gpu_cache.h"
+#include "render/lights.h"
 #include "render/posing.h"
 #include "render/renderer.h"
 #include "render/shaders.h"
@@ -17,6 +18,7 @@ struct ObjectBlock {
     glm::mat4 clipFromLocal{1}, viewFromLocal{1}, normalFromLocal{1};
     glm::vec4 baseColor{0.6, 0.6, 0.6, 1}, surface{0, 0.6, 0, -1}, look{0, 1, 0, 0}, heat{0}, mark{1}, stroke{1, 0, 0, 0};
     glm::ivec4 ids{0};
+    glm::vec4 emissive{0, 0, 0, 1}, maps{1, 0, 0, 0};
 };
 
 /// Lives as long as the renderer.
@@ -26,10 +28,11 @@ struct GpuState {
     Posing posing;
     TerrainTextures terrains;
     Programs programs;
+    EnvironmentTextures environments;
     gl::VertexArray vertexArray;
     gl::Buffer cameraBlock, lightsBlock, objectBlock, terrainBlock, transient, transientIndices;
-    gl::Texture heatTable, mask;
-    gl::Framebuffer maskFramebuffer;
+    gl::Texture heatTable, mask, shadowMap;
+    gl::Framebuffer maskFramebuffer, shadowFramebuffer;
     glm::ivec2 maskSize{0};
     GLint maxTextureBuffer = 65536;
 };
@@ -42,6 +45,7 @@ struct DrawContext {
     glm::ivec2 size;
     Camera camera;  ///< with clip planes that hold the frame
     glm::dmat4 viewFromWorld, clipFromView;
+    FrameLight light;
     Renderer::Counts counts;
 
     const DrawObject* object(NodeId node) const;
@@ -64,12 +68,14 @@ struct DrawContext {
 void uploadFrameBlocks(DrawContext& c);
 
 // The passes, in the order in which they draw.
+void drawShadowMap(DrawContext& c, unsigned target);
 void drawBackground(DrawContext& c);
 void drawSurfaces(DrawContext& c);
 void drawTerrains(DrawContext& c);
 void drawTerrainWires(DrawContext& c);
 void drawTerrainIds(DrawContext& c);  ///< into the id buffer
 void drawWires(DrawContext& c);
+void drawGroundShadow(DrawContext& c);
 void drawGrid(DrawContext& c);
 void drawLoose(DrawContext& c);  ///< lines and points that belong to no face, needles
 /// A line round what is selected or under the pointer, from the mask in the picture's alpha; then alpha is 1 everywhere.

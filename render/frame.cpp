@@ -9,15 +9,24 @@
 namespace mw {
 namespace {
 
+MaterialPictures picturesOf(const Scene& scene, const Material& m)
+{
+    const Material::Texture* const textures[pictureUses] = {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture,
+                                                            &m.emissiveTexture};
+    MaterialPictures out;
+    for (size_t use = 0; use < pictureUses; ++use)
+        if (const Image* image = scene.find(textures[use]->image)) out[use] = image->bytes;
+    return out;
+}
+
 DrawObject drawn(const Scene& scene, NodeId id, const MeshObject& object)
 {
     DrawObject o;
     o.node = id;
     for (const MaterialId m : object.materials) {
         const Material* material = scene.find(m);
-        const Image* image = material ? scene.find(material->baseColorTexture.image) : nullptr;
         o.materials.push_back(material ? scene.shared(m) : nullptr);
-        o.baseImages.push_back(image ? std::make_shared<Image>(*image) : nullptr);
+        o.pictures.push_back(material ? picturesOf(scene, *material) : MaterialPictures());
     }
     return o;
 }

@@ -96,6 +96,15 @@ struct Attribute {
 };
 void attribute(const Attribute& a);
 
+/// A uniform block, bound.
+template <class Block>
+void uploadBlock(Buffer& buffer, GLuint point, const Block& block)
+{
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(Block), &block, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, point, buffer.get());
+}
+
 /// Replaces the content of a buffer that changes every frame.
 template <class T>
 void stream(Buffer& buffer, std::span<const T> data, GLenum target = GL_ARRAY_BUFFER)

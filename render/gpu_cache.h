@@ -46,8 +46,8 @@ public:
     /// A picture made once; `make` fills the bound 2D texture and says how many bytes it took.
     GLuint picture(const GpuKey& key, const Owners& owners, const std::function<size_t()>& make);
 
-    size_t uploadedBytes() const { return uploaded_; }  ///< since beginFrame()
-    void countUpload(size_t bytes) { uploaded_ += bytes; }        ///< of buffers kept elsewhere
+    size_t uploadedBytes() const { return uploaded_; }      ///< since beginFrame()
+    void countUpload(size_t bytes) { uploaded_ += bytes; }  ///< of buffers kept elsewhere
     size_t bytes() const { return bytes_; }
     size_t keepBytes = size_t(1) << 30;
 

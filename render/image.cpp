@@ -95,20 +95,10 @@ DecodedImage decodeJpeg(std::span<const uint8_t> bytes)
 }
 #endif
 
-size_t fillTexture(const DecodedImage& image, bool repeat)
-{
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-    glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE);
-    return image.rgba.size() * 4 / 3;
-}
-
 const DecodedImage white{1, 1, {255, 255, 255, 255}};
+const DecodedImage flat{1, 1, {128, 128, 255, 255}};  // for numbers: a normal map without bumps, half as rough
 
-DecodedImage decodedOrWhite(const std::vector<uint8_t>& bytes)
+DecodedImage decodedOr(const std::vector<uint8_t>& bytes, const DecodedImage& otherwise)
 {
     GLint most = 4096;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
@@ -118,7 +108,7 @@ DecodedImage decodedOrWhite(const std::vector<uint8_t>& bytes)
     } catch (const Error&) {
         // Reading the file has warned about it; here the model is drawn without.
     }
-    return white;
+    return otherwise;
 }
 
 }  // namespace
@@ -133,14 +123,23 @@ DecodedImage decodeImage(std::span<const uint8_t> bytes)
     throw Error("a picture is neither PNG nor JPEG; convert it");
 }
 
-GLuint imageTexture(GpuCache& cache, const Image& image, bool repeat)
+size_t fillTexture(const DecodedImage& image, PictureSampling sampling)
 {
-    return cache.picture({{image.bytes.get()}, repeat ? 1u : 2u}, {image.bytes}, [&] { return fillTexture(decodedOrWhite(*image.bytes), repeat); });
+    glTexImage2D(GL_TEXTURE_2D, 0, sampling.color ? GL_SRGB8_ALPHA8 : GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image.rgba.data());
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, sampling.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, sampling.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE);
+    return image.rgba.size() * 4 / 3;
 }
 
-GLuint whiteTexture(GpuCache& cache)
+GLuint imageTexture(GpuCache& cache, const std::shared_ptr<const std::vector<uint8_t>>& encoded, PictureSampling sampling)
 {
-    return cache.picture({{&white}, 1}, {}, [] { return fillTexture(white, true); });
+    const uint64_t use = 1 + (sampling.repeat ? 1u : 0u) + (sampling.color ? 2u : 0u);
+    return cache.picture({{encoded.get()}, use}, {encoded},
+                         [&] { return fillTexture(decodedOr(*encoded, sampling.color ? white : flat), sampling); });
 }
 
 }  // namespace mw

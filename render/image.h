@@ -12,8 +12,13 @@ struct DecodedImage {
 };
 DecodedImage decodeImage(std::span<const uint8_t> bytes);
 
-/// With mip levels. A picture that cannot be read becomes white: the scene is still shown.
-GLuint imageTexture(GpuCache& cache, const Image& image, bool repeat);
-GLuint whiteTexture(GpuCache& cache);
+struct PictureSampling {
+    bool repeat = true;
+    bool color = true;  ///< sRGB, read as linear; else numbers
+};
+/// Fills the bound 2D texture, with mip levels; returns its bytes.
+size_t fillTexture(const DecodedImage& image, PictureSampling sampling);
+/// A picture that cannot be read becomes white, numbers a half: the scene is still shown.
+GLuint imageTexture(GpuCache& cache, const std::shared_ptr<const std::vector<uint8_t>>& encoded, PictureSampling sampling);
 
 }  // namespace mw

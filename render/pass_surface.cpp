@@ -4,6 +4,8 @@
 
 #include "render/draw_context.h"
 #include "render/image.h"
+#include "render/matcap.h"
+#include "render/materials.h"
 
 namespace mw {
 namespace {
@@ -48,26 +50,6 @@ glm::vec4 heatUniform(const HeatMap& h)
     return {float(scale), float(span > 0 ? -h.low * scale : 0.5), row == categoryRow ? float(categoryCount) : 0.f, float(row)};
 }
 
-const Material* materialOf(const DrawObject& o, uint32_t slot)
-{
-    return slot < o.materials.size() ? o.materials[slot].get() : nullptr;
-}
-
-GLuint baseTexture(DrawContext& c, const DrawObject& o, uint32_t slot)
-{
-    if (slot >= o.baseImages.size() || !o.baseImages[slot] || !o.baseImages[slot]->bytes) return 0;
-    const Material* m = materialOf(o, slot);
-    return imageTexture(c.gpu.cache, *o.baseImages[slot], !m || m->baseColorTexture.repeat);
-}
-
-/// Which texture coordinates the object's materials ask for; -1 for none.
-int texcoordSet(const DrawObject& o)
-{
-    for (uint32_t slot = 0; slot < o.materials.size(); ++slot)
-        if (slot < o.baseImages.size() && o.baseImages[slot]) return o.materials[slot] ? o.materials[slot]->baseColorTexture.set : 0;
-    return -1;
-}
-
 /// Everything of the block that is the same for all runs of an object.
 ObjectBlock objectBlockOf(DrawContext& c, const DrawObject& o, const HeatMap* heat)
 {
@@ -82,44 +64,45 @@ ObjectBlock objectBlockOf(DrawContext& c, const DrawObject& o, const HeatMap* he
     return b;
 }
 
-/// What a material changes; returns the variant bits it needs.
-unsigned applyMaterial(DrawContext& c, const DrawObject& o, uint32_t slot, bool texcoords, ObjectBlock& b)
-{
-    const Material* m = materialOf(o, slot);
-    if (!m) return 0;
-    b.baseColor = m->baseColor;
-    b.surface.x = float(m->metallic);
-    b.surface.y = float(m->roughness);
-    if (m->alpha == Material::Alpha::Mask) b.surface.w = float(m->alphaCutoff);
-    if (m->alpha == Material::Alpha::Blend && !c.frame.options.xray) b.look.w = 1;
-    const GLuint texture = texcoords ? baseTexture(c, o, slot) : 0;
-    if (!texture && m->metallic < 0.01 && m->roughness > 0.35 && m->alpha == Material::Alpha::Opaque) return 0;
-    b.surface.z = 1;
-    c.texture(baseColorUnit, GL_TEXTURE_2D, texture ? texture : whiteTexture(c.gpu.cache));
-    return variant::material;
-}
-
 struct Plan {
-    const HeatMap* heat;
+    const HeatMap* heat = nullptr;
+    bool matcap = false, checker = false, pictures = false;
     SurfaceWants wants;
     unsigned variant = 0;
 };
 
-Plan planFor(const DrawContext& c, const DrawObject& o)
+/// Which programs draw an object, as far as that is the same for all its materials.
+unsigned variantOf(const DrawContext& c, const DrawObject& o, const Plan& p)
 {
-    Plan p;
-    p.heat = heatOf(o);
-    const bool flatShading = c.frame.options.shading == Shading::Flat;
-    p.wants.normals = !flatShading;
-    p.wants.colors = !p.heat;
-    p.wants.texcoordSet = p.heat ? -1 : texcoordSet(o);
-    p.wants.slots = p.heat ? 1 : std::max<size_t>(o.materials.size(), 1);
-    if (flatShading) p.variant |= variant::flat;
-    if (o.dimmed) p.variant |= variant::dimmed;
+    unsigned v = 0;
+    if (c.frame.options.shading == Shading::Flat) v |= variant::flat;
+    if (o.dimmed) v |= variant::dimmed;
     if (p.heat) {
         const bool categories = heatRow(*p.heat) == categoryRow;
-        p.variant |= p.heat->table->rows == ElementKind::Face ? variant::heatFace : categories ? variant::heatCategory : variant::heat;
+        v |= p.heat->table->rows == ElementKind::Face ? variant::heatFace : categories ? variant::heatCategory : variant::heat;
     }
+    if (p.matcap) return v | variant::matcap;
+    if (c.light.environment) v |= variant::environment;
+    if (c.light.shadows) v |= variant::shadow;
+    return v;
+}
+
+Plan planFor(const DrawContext& c, const DrawObject& o)
+{
+    const ViewOptions& options = c.frame.options;
+    Plan p;
+    p.heat = heatOf(o);
+    p.matcap = options.shading == Shading::Matcap && !p.heat;
+    p.checker = options.checker && !p.heat && !p.matcap;
+    p.pictures = !p.heat && !p.matcap && !p.checker;
+    const bool flat = options.shading == Shading::Flat;
+    p.wants.normals = !flat;
+    p.wants.colors = p.pictures;
+    if (p.pictures) p.wants.texcoordSets = pictureSets(o);
+    if (p.checker) p.wants.texcoordSets[0] = std::max(pictureSets(o)[0], 0);
+    p.wants.tangents = p.pictures && !flat && !o.pose && hasNormalMap(o);  // a pose moves places and normals alone
+    p.wants.slots = p.pictures ? std::max<size_t>(o.materials.size(), 1) : 1;
+    p.variant = variantOf(c, o, p);
     return p;
 }
 
@@ -138,22 +121,50 @@ void bindHeat(DrawContext& c, const Plan& p, const BoundSurface& s, ObjectBlock&
     gl::attribute({4, heatBuffer(c.gpu.cache, *p.heat, s.layout->vertexOf, key), 1});
 }
 
+void bindMatcap(DrawContext& c)
+{
+    constexpr int side = 256;
+    const Matcap* m = findMatcap(c.frame.options.matcap);
+    if (!m) m = &matcaps().front();
+    c.texture(matcapUnit, GL_TEXTURE_2D, c.gpu.cache.picture({{m}, 1}, {}, [&] {
+        const DecodedImage image{side, side, matcapPixels(*m, side)};
+        return fillTexture(image, {.repeat = false, .color = true});
+    }));
+}
+
+/// Light at the vertices alone where triangles are small, and nothing asks for more.
+unsigned dense(const DrawObject& o, uint32_t slot, unsigned v)
+{
+    constexpr unsigned byPixel = variant::flat | variant::heat | variant::heatCategory | variant::heatFace | variant::shadow | variant::matcap |
+                                 variant::checker | variant::mapBase | variant::mapRoughness | variant::mapNormal | variant::mapOcclusion |
+                                 variant::mapEmissive;
+    const Material* m = materialOf(o, slot);
+    if ((v & byPixel) || ((v & variant::material) && m && !isPlain(*m))) return v;
+    return (v & ~variant::material) | variant::dense;
+}
+
 /// Opaque runs first over all objects, then what blends.
 void drawObject(DrawContext& c, const DrawObject& o, bool blended)
 {
     if (o.mesh.faceCount() == 0) return;
     Plan p = planFor(c, o);
     const BoundSurface s = bindSurface(c, o, p.wants);
+    TexcoordSets sets = p.wants.texcoordSets;
+    for (size_t i = 0; i < 2; ++i)
+        if (!s.buffers.texcoords[i]) sets[i] = -1;
     if (s.buffers.colors) p.variant |= variant::color;
+    if (p.matcap) bindMatcap(c);
     ObjectBlock block = objectBlockOf(c, o, p.heat);
     if (p.heat) bindHeat(c, p, s, block);
     for (const SurfaceLayout::Run& run : s.layout->runs) {
         ObjectBlock b = block;
-        const unsigned extra = p.heat ? 0 : applyMaterial(c, o, run.slot, s.buffers.texcoords != 0, b);
+        unsigned v = p.variant;
+        if (p.pictures) v |= applyMaterial(c, o, run.slot, sets, b);
+        if (p.checker && sets[0] >= 0) v |= variant::checker;
+        if ((v & variant::mapNormal) && s.buffers.tangents) v |= variant::tangent;
         if ((c.frame.options.xray || b.look.w > 0.5f) != blended) continue;
         if (s.buffers.colors && !materialOf(o, run.slot)) b.baseColor = glm::vec4(1);
-        const bool dense = o.mesh.faceCount() >= denseFaces && !(extra & variant::material) && !p.heat && !(p.variant & variant::flat);
-        c.use(ProgramId::Surface, p.variant | extra | (dense ? variant::dense : 0));
+        c.use(ProgramId::Surface, o.mesh.faceCount() >= denseFaces ? dense(o, run.slot, v) : v);
         drawRun(c, s, run, b);
     }
 }
@@ -172,7 +183,9 @@ BoundSurface bindSurface(DrawContext& c, const DrawObject& o, const SurfaceWants
     gl::attribute({0, s.buffers.positions, 3});
     if (s.buffers.normals) gl::attribute({1, s.buffers.normals, 3});
     if (s.buffers.colors) gl::attribute({2, s.buffers.colors, s.buffers.colorComponents, s.buffers.colorStride});
-    if (s.buffers.texcoords) gl::attribute({3, s.buffers.texcoords, 2, s.buffers.texcoordStride});
+    if (s.buffers.texcoords[0]) gl::attribute({3, s.buffers.texcoords[0], 2, s.buffers.texcoordStride[0]});
+    if (s.buffers.texcoords[1]) gl::attribute({5, s.buffers.texcoords[1], 2, s.buffers.texcoordStride[1]});
+    if (s.buffers.tangents) gl::attribute({6, s.buffers.tangents, 4});
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, s.buffers.indices);
     glFrontFace(glm::determinant(glm::dmat3(o.worldFromLocal)) < 0 ? GL_CW : GL_CCW);
     return s;

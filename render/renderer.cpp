@@ -39,6 +39,7 @@ void cleanState(GLuint vertexArray, unsigned target, glm::ivec2 size)
     glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glEnable(GL_PROGRAM_POINT_SIZE);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LEQUAL);
@@ -79,10 +80,12 @@ void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
     DrawContext c(gpu, frame, size);
     cleanState(gpu.vertexArray.id(), target, size);
     uploadFrameBlocks(c);
+    drawShadowMap(c, target);
     clear(frame);
     drawBackground(c);
     drawSurfaces(c);
     drawTerrains(c);
+    drawGroundShadow(c);
     drawGrid(c);
     drawWires(c);
     drawLoose(c);

@@ -1,6 +1,7 @@
 // Draws a frame (objects, options, overlays) into the bound framebuffer. OpenGL 4.1 core through libepoxy; no Qt. The window gives it a
 // context, the command line makes one by surfaceless EGL (render/offscreen.h). Nothing unchanged is uploaded again.
 #pragma once
+#include <array>
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
@@ -29,13 +30,18 @@ struct HeatMap {
 /// 2nd to 98th percentile, or all when that is empty.
 std::pair<double, double> heatRange(const Column& column);
 
+/// The pictures of a material, encoded (PNG, JPEG), shared with the scene; null: none.
+enum PictureUse : size_t { basePicture, roughnessPicture, normalPicture, occlusionPicture, emissivePicture, pictureUses };
+using EncodedPicture = std::shared_ptr<const std::vector<uint8_t>>;
+using MaterialPictures = std::array<EncodedPicture, pictureUses>;
+
 /// One node to draw.
 struct DrawObject {
     NodeId node;
     glm::dmat4 worldFromLocal{1};
     Mesh mesh;
     std::vector<std::shared_ptr<const Material>> materials;  ///< by slot; may be empty
-    std::vector<std::shared_ptr<const Image>> baseImages;    ///< by slot: base colour pictures; null or missing: none
+    std::vector<MaterialPictures> pictures;                  ///< by slot; may be shorter
     std::shared_ptr<const HeatMap> heat;
     std::shared_ptr<const MeshPose> pose;  ///< null: as the mesh is; skinned ones stand by their joints, worldFromLocal is then identity
     bool selected = false, hovered = false, dimmed = false;
@@ -97,12 +103,13 @@ struct ViewOptions {
     bool transparentBackground = false;
     bool normalsNeedles = false;
     Lighting lighting = Lighting::ThreePoint;
-    double environmentTurn = 0;   ///< radians about +Y
-    bool shadows = false;         ///< of the key light, on objects and on the ground
-    bool checker = false;         ///< squares by texture coordinate in place of the base colour
-    std::string matcap = "clay";  ///< name of the sphere that Shading::Matcap looks up
-    int samples = 4;              ///< wanted multisampling of off-screen pictures
-    double pixelRatio = 1;        ///< device pixels a logical pixel
+    std::string environment = "studio";  ///< one of render/environment.h
+    double environmentTurn = 0;          ///< radians about +Y
+    bool shadows = false;                ///< of the key light, on objects and on the ground
+    bool checker = false;                ///< squares by texture coordinate in place of the base colour
+    std::string matcap = "clay";         ///< name of the sphere that Shading::Matcap looks up
+    int samples = 4;                     ///< wanted multisampling of off-screen pictures
+    double pixelRatio = 1;               ///< device pixels a logical pixel
 };
 
 struct Frame {

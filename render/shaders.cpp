@@ -12,14 +12,18 @@ namespace {
 
 constexpr const char* camera[] = {"camera.glsl"};
 constexpr const char* object[] = {"camera.glsl", "object.glsl"};
-constexpr const char* lit[] = {"camera.glsl", "object.glsl", "lights.glsl", "heat.glsl"};
+constexpr const char* lit[] = {"camera.glsl", "object.glsl", "lights.glsl", "materials.glsl", "shadow.glsl", "heat.glsl", "surface.glsl"};
+constexpr const char* shadowed[] = {"camera.glsl", "object.glsl", "lights.glsl", "shadow.glsl"};
 constexpr const char* disc[] = {"camera.glsl", "object.glsl", "lights.glsl"};
 constexpr const char* canvas[] = {"camera.glsl", "heat.glsl"};
 
 constexpr const char* ground[] = {"camera.glsl", "object.glsl", "lights.glsl", "heat.glsl", "terrain.glsl"};
 constexpr const char* groundPlaces[] = {"camera.glsl", "object.glsl", "terrain.glsl"};
 
-constexpr const char* surfaceVariants[] = {"FLAT", "COLOR", "MATERIAL", "HEAT", "HEAT_CATEGORY", "HEAT_FACE", "DIMMED", "DENSE"};
+constexpr const char* surfaceVariants[] = {"FLAT",         "COLOR",   "MATERIAL",    "HEAT",          "HEAT_CATEGORY", "HEAT_FACE",
+                                           "DIMMED",       "DENSE",   "MAP_BASE",    "MAP_ROUGHNESS", "MAP_NORMAL",    "MAP_OCCLUSION",
+                                           "MAP_EMISSIVE", "TANGENT", "ENVIRONMENT", "SHADOW",        "MATCAP",        "CHECKER"};
+constexpr const char* shadowVariants[] = {"MAP_BASE"};
 constexpr const char* wireVariants[] = {"EDGE_FLAGS"};
 constexpr const char* lineVariants[] = {"HALO"};
 constexpr const char* discVariants[] = {"COLOR"};
@@ -44,6 +48,8 @@ constexpr ProgramRow table[] = {
     {ProgramId::Terrain, "terrain", "terrain.vert", nullptr, "terrain.frag", ground, terrainVariants, {}, "terrain.tesc", "terrain.tese"},
     {ProgramId::TerrainWire, "terrain wire", "terrain.vert", "wire.geom", "wire.frag", groundPlaces, {}, {}, "terrain.tesc", "terrain.tese", true},
     {ProgramId::TerrainIds, "terrain ids", "terrain.vert", nullptr, "terrain_ids.frag", groundPlaces, {}, {}, "terrain.tesc", "terrain.tese", true},
+    {ProgramId::Shadow, "shadow", "shadow.vert", nullptr, "shadow.frag", object, shadowVariants},
+    {ProgramId::GroundShadow, "ground shadow", "ground_shadow.vert", nullptr, "ground_shadow.frag", shadowed, {}},
 };
 
 const ProgramRow& rowOf(ProgramId id)
@@ -117,10 +123,28 @@ void bindPoints(GLuint program)
         if (index != GL_INVALID_INDEX) glUniformBlockBinding(program, index, point);
     }
     constexpr std::pair<const char*, GLint> samplers[] = {
-        {"heatTable", heatUnit},       {"faceValues", faceValueUnit},     {"triangleFaces", triangleFaceUnit}, {"baseColorMap", baseColorUnit},
-        {"maskMap", maskUnit},         {"atlasMap", atlasUnit},           {"edgeFlags", edgeFlagUnit},         {"poseData", poseDataUnit},
-        {"jointSlots", jointSlotUnit}, {"jointWeights", jointWeightUnit}, {"morphDeltas", morphUnit},          {"morphNormals", morphNormalUnit},
-        {"heightMap", heightUnit},     {"layerMap", layerUnit},
+        {"heatTable", heatUnit},
+        {"faceValues", faceValueUnit},
+        {"triangleFaces", triangleFaceUnit},
+        {"baseColorMap", baseColorUnit},
+        {"maskMap", maskUnit},
+        {"atlasMap", atlasUnit},
+        {"edgeFlags", edgeFlagUnit},
+        {"poseData", poseDataUnit},
+        {"jointSlots", jointSlotUnit},
+        {"jointWeights", jointWeightUnit},
+        {"morphDeltas", morphUnit},
+        {"morphNormals", morphNormalUnit},
+        {"heightMap", heightUnit},
+        {"layerMap", layerUnit},
+        {"roughnessMap", roughnessUnit},
+        {"normalMap", normalUnit},
+        {"occlusionMap", occlusionUnit},
+        {"emissiveMap", emissiveUnit},
+        {"environmentMap", environmentUnit},
+        {"reflectanceTable", reflectanceUnit},
+        {"shadowMap", shadowUnit},
+        {"matcapMap", matcapUnit},
     };
     glUseProgram(program);
     for (const auto& [name, unit] : samplers) {

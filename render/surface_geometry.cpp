@@ -48,7 +48,12 @@ const Attribute* cornerOrVertex(const Mesh& mesh, std::string_view name)
 class Splitter {
 public:
     Splitter(const Mesh& mesh, const SurfaceLayout& l)
-        : normal_(cornerOnly(l.normal)), color_(cornerOnly(l.color)), texcoord_(cornerOnly(l.texcoord)), first_(mesh.vertexCount(), none)
+        : normal_(cornerOnly(l.normal)),
+          color_(cornerOnly(l.color)),
+          tangent_(cornerOnly(l.tangent)),
+          texcoord_(cornerOnly(l.texcoord[0])),
+          texcoord1_(cornerOnly(l.texcoord[1])),
+          first_(mesh.vertexCount(), none)
     {}
 
     uint32_t drawn(uint32_t vertex, uint32_t corner)
@@ -67,8 +72,11 @@ public:
     Array<uint32_t> vertexOf, cornerOf;
 
 private:
-    bool same(uint32_t a, uint32_t b) const { return normal_.same(a, b) && color_.same(a, b) && texcoord_.same(a, b); }
-    Floats normal_, color_, texcoord_;
+    bool same(uint32_t a, uint32_t b) const
+    {
+        return normal_.same(a, b) && color_.same(a, b) && texcoord_.same(a, b) && texcoord1_.same(a, b) && tangent_.same(a, b);
+    }
+    Floats normal_, color_, tangent_, texcoord_, texcoord1_;
     Array<uint32_t> first_, next_;
 };
 
@@ -96,17 +104,28 @@ std::vector<uint32_t> sortByMaterial(const Mesh& mesh, const Attribute* material
     return runs.size() > 1 ? order : std::vector<uint32_t>{};
 }
 
+/// What is wanted and there.
+void findAttributes(const Mesh& mesh, const SurfaceWants& wants, SurfaceLayout& l)
+{
+    l.normal = wants.normals ? cornerOrVertex(mesh, names::normal) : nullptr;
+    l.color = wants.colors ? cornerOrVertex(mesh, names::color) : nullptr;
+    l.tangent = wants.tangents ? cornerOrVertex(mesh, names::tangent) : nullptr;
+    if (l.tangent && l.tangent->components != 4) l.tangent = nullptr;
+    for (size_t i = 0; i < 2; ++i) {
+        const int set = wants.texcoordSets[i];
+        l.texcoord[i] = set >= 0 ? cornerOrVertex(mesh, std::string(names::texcoord) + (set > 0 ? std::to_string(set) : "")) : nullptr;
+    }
+}
+
 SurfaceLayout makeLayout(const Mesh& mesh, const SurfaceWants& wants, const Attribute* material)
 {
     SurfaceLayout l;
-    const std::string set = std::string(names::texcoord) + (wants.texcoordSet > 0 ? std::to_string(wants.texcoordSet) : "");
-    if (wants.normals) l.normal = cornerOrVertex(mesh, names::normal);
-    if (wants.colors) l.color = cornerOrVertex(mesh, names::color);
-    if (wants.texcoordSet >= 0) l.texcoord = cornerOrVertex(mesh, set);
+    findAttributes(mesh, wants, l);
 
     const Mesh::Triangulation& t = mesh.triangulation();
     const std::vector<uint32_t> order = sortByMaterial(mesh, material, wants.slots, l.runs);
-    const bool splits = cornerOnly(l.normal) || cornerOnly(l.color) || cornerOnly(l.texcoord);
+    const bool splits =
+        cornerOnly(l.normal) || cornerOnly(l.color) || cornerOnly(l.tangent) || cornerOnly(l.texcoord[0]) || cornerOnly(l.texcoord[1]);
     l.indices = t.vertices;
     if (!mesh.isTriangles()) l.triangleFace = t.faces;
     if (order.empty() && !splits) return l;
@@ -175,25 +194,30 @@ std::shared_ptr<const SurfaceLayout> SurfaceLayouts::get(const Mesh& mesh, const
 {
     const Attribute* material = wants.slots > 1 ? mesh.find(names::material, Domain::Face) : nullptr;
     const auto idOf = [](const Attribute* a) { return a ? a->id() : nullptr; };
-    const Attribute* normal = wants.normals ? cornerOrVertex(mesh, names::normal) : nullptr;
-    const Attribute* color = wants.colors ? cornerOrVertex(mesh, names::color) : nullptr;
-    const std::string set = std::string(names::texcoord) + (wants.texcoordSet > 0 ? std::to_string(wants.texcoordSet) : "");
-    const Attribute* texcoord = wants.texcoordSet >= 0 ? cornerOrVertex(mesh, set) : nullptr;
-    const std::array<const void*, 6> key{mesh.triangulation().vertices.id(),        idOf(normal), idOf(color), idOf(texcoord), idOf(material),
+    SurfaceLayout now;
+    findAttributes(mesh, wants, now);
+    const std::array<const void*, 8> key{mesh.triangulation().vertices.id(),
+                                         idOf(now.normal),
+                                         idOf(now.color),
+                                         idOf(now.tangent),
+                                         idOf(now.texcoord[0]),
+                                         idOf(now.texcoord[1]),
+                                         idOf(material),
                                          reinterpret_cast<const void*>(wants.slots)};
     Entry& e = entries_[key];
     const bool alive = e.layout && std::none_of(e.owners.begin(), e.owners.end(), [](const auto& o) { return o.expired(); });
     if (alive) {
         // The attributes may live in another copy of the mesh now; their arrays are the same.
         auto again = std::make_shared<SurfaceLayout>(*e.layout);
-        again->normal = normal;
-        again->color = color;
-        again->texcoord = texcoord;
+        again->normal = now.normal;
+        again->color = now.color;
+        again->tangent = now.tangent;
+        again->texcoord = now.texcoord;
         return again;
     }
     e.layout = std::make_shared<SurfaceLayout>(makeLayout(mesh, wants, material));
     e.owners = {mesh.triangulation().vertices.owner()};
-    for (const Attribute* a : {normal, color, texcoord, material})
+    for (const Attribute* a : {now.normal, now.color, now.tangent, now.texcoord[0], now.texcoord[1], material})
         if (a) e.owners.push_back(ownerOf(*a));
     return e.layout;
 }
@@ -215,9 +239,12 @@ SurfaceBuffers surfaceBuffers(GpuCache& cache, const Mesh& mesh, const SurfaceLa
         b.colorComponents = std::min(layout.color->components, 4);
         b.colorStride = 4 * layout.color->components;
     }
-    if (layout.texcoord && layout.texcoord->components >= 2) {
-        b.texcoords = attributeBuffer(cache, layout, *layout.texcoord);
-        b.texcoordStride = 4 * layout.texcoord->components;
+    if (layout.tangent) b.tangents = attributeBuffer(cache, layout, *layout.tangent);
+    for (size_t i = 0; i < 2; ++i) {
+        const Attribute* a = layout.texcoord[i];
+        if (!a || a->components < 2) continue;
+        b.texcoords[i] = attributeBuffer(cache, layout, *a);
+        b.texcoordStride[i] = 4 * a->components;
     }
     b.indices = cache.buffer(layout.indices);
     b.vertices = layout.vertexOf.empty() ? mesh.vertexCount() : layout.vertexOf.size();

@@ -1,6 +1,7 @@
 // How a mesh goes to the graphics card: vertices as they are where that is enough, split where normals, colours or texture coordinates
 // differ between the corners of a vertex; triangles in runs of one material each.
 #pragma once
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace mw {
 /// What is wanted of a mesh beyond its shape.
 struct SurfaceWants {
     bool normals = true, colors = true;
-    int texcoordSet = -1;  ///< -1: none
-    size_t slots = 1;      ///< materials of the object
+    std::array<int, 2> texcoordSets{-1, -1};  ///< -1: none
+    bool tangents = false;
+    size_t slots = 1;  ///< materials of the object
 };
 
 /// Which payload vertex and corner each drawn vertex is, and the triangles between them.
@@ -26,7 +28,8 @@ struct SurfaceLayout {
         size_t first, count;  ///< triangles
     };
     std::vector<Run> runs;
-    const Attribute *normal = nullptr, *color = nullptr, *texcoord = nullptr;  ///< of the mesh; null: not there or not wanted
+    const Attribute *normal = nullptr, *color = nullptr, *tangent = nullptr;  ///< of the mesh; null: not there or not wanted
+    std::array<const Attribute*, 2> texcoord{};
 };
 
 /// Layouts, kept by what they are made of.
@@ -40,13 +43,15 @@ private:
         std::shared_ptr<const SurfaceLayout> layout;
         std::vector<std::weak_ptr<const void>> owners;
     };
-    std::map<std::array<const void*, 6>, Entry> entries_;
+    std::map<std::array<const void*, 8>, Entry> entries_;
 };
 
 /// The buffers of a layout, ready to be bound.
 struct SurfaceBuffers {
-    GLuint positions = 0, normals = 0, colors = 0, texcoords = 0, indices = 0;
-    int colorComponents = 4, colorStride = 0, texcoordStride = 0;
+    GLuint positions = 0, normals = 0, colors = 0, tangents = 0, indices = 0;
+    std::array<GLuint, 2> texcoords{};
+    int colorComponents = 4, colorStride = 0;
+    std::array<int, 2> texcoordStride{};
     size_t vertices = 0;
 };
 SurfaceBuffers surfaceBuffers(GpuCache& cache, const Mesh& mesh, const SurfaceLayout& layout, const SurfaceWants& wants);

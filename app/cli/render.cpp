@@ -1,4 +1,7 @@
-// render FILE -o PNG: a picture of what a file shows, without a display.
+// render FILE -o PNG: a picture of what a file shows, or of it turning, without a display.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <map>
 
 #include "app/cli/clip_options.h"
@@ -8,32 +11,13 @@
 #include "app/cli/placement_options.h"
 #include "app/cli/verb.h"
 #include "core/io/io.h"
+#include "render/animated_png.h"
 #include "render/offscreen.h"
+#include "render/turntable.h"
 
 namespace mw::cli {
 
 namespace {
-
-struct Style {
-    Shading shading = Shading::Smooth;
-    bool wire = false;
-    std::optional<OperationCall> metric;
-};
-
-Style parseStyle(const std::string& text)
-{
-    constexpr std::string_view heat = "heat:";
-    if (text == "shaded") return {};
-    if (text == "flat") return {Shading::Flat, true, {}};
-    if (text == "wire") return {Shading::Wire, false, {}};
-    if (!text.starts_with(heat)) throw UsageError("--style wants shaded, flat, wire or heat:METRIC, not \"" + text + "\"");
-    Style s;
-    s.metric = parseCall(std::string_view(text).substr(heat.size()));
-    const Operation& op = *s.metric->operation;
-    if (op.accepts != Kind::Mesh || op.yields != Kind::Table)
-        throw Error("the operation " + op.id + " gives no numbers on a mesh to colour by; `meshwright algorithms` lists those that yield a table");
-    return s;
-}
 
 /// The metric of every mesh, all over one range, so that colours can be compared.
 void colourBy(Frame& frame, const OperationCall& metric, Progress* progress)
@@ -68,49 +52,108 @@ void choose(Frame& frame, const std::string& show)
     if (show == "bones") frame.objects.clear();
 }
 
+bool isAnimation(const std::string& file)
+{
+    return file.ends_with(".apng");
+}
+
+/// "turn.png" and 7: "turn-007.png".
+std::string numbered(const std::string& file, int i)
+{
+    const std::filesystem::path path(file);
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "-%03d", i);
+    return (path.parent_path() / (path.stem().string() + digits + path.extension().string())).string();
+}
+
+void drawTurntable(Frame& frame, const PictureSize& size, int count, const std::string& out, Working& working)
+{
+    Offscreen offscreen;
+    std::optional<AnimatedPng> animation;
+    if (isAnimation(out)) animation.emplace(out, count, std::clamp(4.0 / count, 0.02, 0.2));  // a turn takes some four seconds
+    const Camera first = frame.camera;
+    const double firstTurn = frame.options.environmentTurn;
+    for (int i = 0; i < count; ++i) {
+        working.now("drawing " + std::to_string(i + 1) + " of " + std::to_string(count));
+        turn(frame, first, firstTurn, i, count);
+        const Picture picture = offscreen.draw(frame, size.width, size.height);
+        if (animation)
+            animation->add(picture);
+        else
+            writePng(picture, numbered(out, i));
+    }
+    if (animation) animation->finish();
+}
+
+struct Wanted {
+    std::string file, out;
+    PictureSize size;
+    PictureLook look;
+    Camera camera;
+    bool cameraGiven = false;
+    int turntable = 0;
+    std::string show;
+    ClipOptions when;
+    std::optional<std::string> motion;
+    ImportOptions reading;
+};
+
+Wanted take(Arguments& arguments)
+{
+    Wanted w;
+    const std::optional<std::string> out = arguments.value("--output", "-o");
+    w.size = takeSize(arguments, {1280, 800});
+    w.look = takeLook(arguments);
+    const std::optional<std::string> view = arguments.value("--view");
+    const std::optional<Camera> camera = takeCamera(arguments);
+    const std::optional<long> turntable = arguments.number("--turntable", 2, 3600);
+    w.show = arguments.value("--show").value_or("");
+    w.when = takeClipOptions(arguments);
+    w.motion = arguments.value("--motion");
+    w.reading = takeImportOptions(arguments);
+    w.file = arguments.finish({"FILE"})[0];
+    if (!out) throw UsageError("say where the picture goes: -o PNG");
+    w.out = *out;
+    if (!w.show.empty() && w.show != "mesh" && w.show != "bones" && w.show != "both")
+        throw UsageError("--show wants mesh, bones or both, not \"" + w.show + "\"");
+    if (camera && view) throw UsageError("--camera and --view both say from where; give one");
+    if (camera && turntable) throw UsageError("--camera stands still; a turntable takes --view");
+    if (isAnimation(w.out) && !turntable) throw UsageError("an .apng file is a turntable: say --turntable N, or write a .png");
+    if (camera) w.camera = *camera;
+    w.cameraGiven = camera.has_value();
+    w.turntable = int(turntable.value_or(0));
+    if (!camera && !setView(w.camera, view.value_or("32,17")))
+        throw UsageError("--view wants front, back, left, right, top, bottom or AZIMUTH,ELEVATION in degrees, not \"" + *view + "\"");
+    return w;
+}
+
 int run(Arguments& arguments)
 {
-    const std::optional<std::string> out = arguments.value("--output", "-o");
-    const PictureSize size = takeSize(arguments, {1280, 800});
-    const Theme theme = takeTheme(arguments);
-    const std::string styleText = arguments.value("--style").value_or("shaded");
-    const std::string view = arguments.value("--view").value_or("32,17");
-    const bool transparent = arguments.flag("--transparent");
-    const std::string show = arguments.value("--show").value_or("");
-    const ClipOptions when = takeClipOptions(arguments);
-    const std::optional<std::string> motion = arguments.value("--motion");
-    const ImportOptions options = takeImportOptions(arguments);
-    const std::vector<std::string> files = arguments.finish({"FILE"});
-    if (!out) throw UsageError("say where the picture goes: -o PNG");
-    if (!show.empty() && show != "mesh" && show != "bones" && show != "both")
-        throw UsageError("--show wants mesh, bones or both, not \"" + show + "\"");
-    const Style style = parseStyle(styleText);
-    Camera camera;
-    if (!setView(camera, view))
-        throw UsageError("--view wants front, back, left, right, top, bottom or AZIMUTH,ELEVATION in degrees, not \"" + view + "\"");
-
-    Working working("reading " + files[0]);
-    Imported in = readFile(files[0], working.progress(), options);
-    if (motion) addMotion(in.scene, files[0], *motion, working.progress());
-    warn(files[0], in.warnings);
+    const Wanted w = take(arguments);
+    Working working("reading " + w.file);
+    Imported in = readFile(w.file, working.progress(), w.reading);
+    if (w.motion) addMotion(in.scene, w.file, *w.motion, working.progress());
+    warn(w.file, in.warnings);
     std::map<MeshId, Mesh> shownMeshes;
     for (const MeshId id : in.scene.meshes()) shownMeshes[id] = evaluated(*in.scene.find(id), working.progress());
     ScenePose pose;
-    if (when) pose = poseAt(in.scene, clipOf(files[0], in.scene, when), when.time.value_or(0));
+    if (w.when) pose = poseAt(in.scene, clipOf(w.file, in.scene, w.when), w.when.time.value_or(0));
     Frame frame = frameOf(
         in.scene, [&](MeshId id) { return shownMeshes[id]; }, pose);
-    choose(frame, show);
-    frame.camera = camera;
-    frame.options.theme = theme;
-    frame.options.shading = style.shading;
-    frame.options.wireOverlay = style.wire;
-    frame.options.transparentBackground = transparent;
-    if (transparent) frame.options.grid = frame.options.axes = frame.options.orientationMarker = false;
-    if (style.metric) colourBy(frame, *style.metric, working.progress());
-    frameTightly(frame, double(size.width) / size.height);
+    choose(frame, w.show);
+    frame.camera = w.camera;
+    frame.options = w.look.options;
+    if (w.look.metric) colourBy(frame, *w.look.metric, working.progress());
+    const double aspect = double(w.size.width) / w.size.height;
+    if (w.turntable) {
+        frameTurntable(frame, aspect);
+        drawTurntable(frame, w.size, w.turntable, w.out, working);
+        return 0;
+    }
+    if (!w.cameraGiven) frameTightly(frame, aspect);
     working.now("drawing");
     Offscreen offscreen;
-    writePng(offscreen.draw(frame, size.width, size.height), *out);
+    writePng(offscreen.draw(frame, w.size.width, w.size.height), w.out);
     return 0;
 }
 
@@ -118,17 +161,17 @@ int run(Arguments& arguments)
 
 const Verb renderVerb{
     "render", "a picture of a file, without a display",
-    "render FILE -o PNG [--time S] [--clip NAME|#INDEX] [--motion FILE] [--show mesh|bones|both] [--size WxH] [--style STYLE] [--view VIEW]\n"
-    "       [--theme dark|light] [--transparent] [--unit UNIT] [--up y|z|x]\n\n"
+    "render FILE -o PNG [--time S] [--clip NAME|#INDEX] [--motion FILE] [--show mesh|bones|both] [--size WxH] [--view VIEW]\n"
+    "       [--camera EYE/TARGET/FOV] [--turntable N] [--style STYLE] [--light LIGHT] [--light-turn DEGREES] [--shadows]\n"
+    "       [--no-grid] [--theme dark|light] [--transparent] [--unit UNIT] [--up y|z|x]\n\n"
     "  --time S        seconds into the clip; without --time and --clip the file rests\n"
     "  --clip CLIP     by name, or #0 for the first one, which is taken unless said\n"
     "  --motion FILE   also the clips of this file, made for the same skeleton (same names of joints)\n"
     "  --show WHAT     mesh, bones or both; the mesh unless said, bones where there is no mesh\n"
     "  --size WxH      pixels, 1280x800 unless said\n"
-    "  --style STYLE   shaded (as the materials say), flat (faces and edges), wire, or heat:METRIC[:k=v,...], where METRIC is a\n"
-    "                  query of `meshwright algorithms` that gives a number for each vertex or face (heat:vertex-valence)\n"
     "  --view VIEW     front, back, left, right, top, bottom, or AZIMUTH,ELEVATION in degrees; 32,17 unless said\n"
-    "  --transparent   the model alone, nothing behind it\n"
+    "  --camera CAM    where the eye is, what it looks at, and the vertical angle in degrees: 4,3,2/0,0,0/40\n"
+    "  --turntable N   N pictures of a whole turn, -o turn.png gives turn-000.png ...; -o turn.apng one that plays\n" MESHWRIGHT_LOOK_HELP
     "  --unit UNIT, --up y|z|x   how the file's numbers are meant; see meshwright convert --help\n",
     run};
 

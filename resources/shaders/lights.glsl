@@ -1,11 +1,15 @@
 // Three lights that go with the camera, and a sky. Chosen so that a scan reads as clay: a soft key from the upper left, a weak cool fill,
-// a rim that lifts the outline off the background.
+// a rim that lifts the outline off the background. Or (ENVIRONMENT) what comes from all round the scene, and its key light.
 layout(std140) uniform Lights {
     vec4 direction[3];  // towards the light, view space
-    vec4 light[3];      // linear
+    vec4 light[3];      // linear: what white sends back under it head on; w: 1 when polished things mirror it as a point
     vec4 sky;
     vec4 ground;
     vec4 halfway;  // between the key light and the eye
+    mat4 environmentFromView;
+    mat4 shadowFromView;  // to 0..1 of the shadow map
+    vec4 harmonics[9];    // of the light on a matt surface by its normal, from the environment but without the key light
+    vec4 shadow;          // one texel of the map, the same in metres, radius of the soft edge on objects and on the ground in texels
 };
 
 vec3 sRGB(vec3 c)
@@ -14,17 +18,40 @@ vec3 sRGB(vec3 c)
     return s * (1.12 + s * (-0.0562 - 0.0638 * s));
 }
 
+vec3 exactSRGB(vec3 c)
+{
+    c = clamp(c, 0.0, 1.0);
+    return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
 vec3 linearOf(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
 
-/// Light that a matt surface sends back, for albedo 1.
-vec3 diffuseLight(vec3 n)
+/// Light that a matt surface sends back, for albedo 1: of the key light, and of everything else.
+vec3 keyLight(vec3 n)
 {
-    vec3 sum = mix(ground.rgb, sky.rgb, 0.5 + 0.5 * n.y);
-    sum += light[0].rgb * max((dot(n, direction[0].xyz) + 0.12) * 0.893, 0.0);  // wrapped a little: no hard terminator
-    sum += light[1].rgb * max(dot(n, direction[1].xyz), 0.0);
-    sum += light[2].rgb * max(dot(n, direction[2].xyz), 0.0);
-    return sum;
+#ifdef ENVIRONMENT
+    return light[0].rgb * max(dot(n, direction[0].xyz), 0.0);
+#else
+    return light[0].rgb * max((dot(n, direction[0].xyz) + 0.12) * 0.893, 0.0);  // wrapped a little: no hard terminator
+#endif
 }
+
+vec3 otherLight(vec3 n)
+{
+#ifdef ENVIRONMENT
+    vec3 d = mat3(environmentFromView) * n;
+    vec3 sum = harmonics[0].rgb + harmonics[1].rgb * d.y + harmonics[2].rgb * d.z + harmonics[3].rgb * d.x;
+    sum += harmonics[4].rgb * (d.x * d.y) + harmonics[5].rgb * (d.y * d.z) + harmonics[6].rgb * (3.0 * d.z * d.z - 1.0);
+    sum += harmonics[7].rgb * (d.x * d.z) + harmonics[8].rgb * (d.x * d.x - d.y * d.y);
+    return max(sum, 0.0);
+#else
+    vec3 sum = mix(ground.rgb, sky.rgb, 0.5 + 0.5 * n.y);
+    sum += light[1].rgb * max(dot(n, direction[1].xyz), 0.0);
+    return sum + light[2].rgb * max(dot(n, direction[2].xyz), 0.0);
+#endif
+}
+
+vec3 diffuseLight(vec3 n) { return otherLight(n) + keyLight(n); }
 
 /// Highlight of the key light alone, without powers: enough for matt things.
 vec3 softHighlight(vec3 n)
@@ -33,25 +60,5 @@ vec3 softHighlight(vec3 n)
     h *= h;
     h *= h;
     h *= h;
-    return light[0].rgb * (h * h);
-}
-
-/// Trowbridge-Reitz highlights of all lights, reflectance `f0` at normal incidence.
-vec3 highlights(vec3 n, vec3 v, float roughness, vec3 f0)
-{
-    float a2 = max(roughness * roughness, 0.002);
-    a2 *= a2;
-    float nv = max(dot(n, v), 1e-3), k = 0.5 * roughness * roughness;
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < 3; ++i) {
-        vec3 l = direction[i].xyz, h = normalize(l + v);
-        float nl = max(dot(n, l), 0.0), nh = max(dot(n, h), 0.0), d = nh * nh * (a2 - 1.0) + 1.0;
-        float shape = a2 / (4.0 * d * d * (nl * (1.0 - k) + k) * (nv * (1.0 - k) + k));
-        float grazing = 1.0 - max(dot(v, h), 0.0);
-        vec3 fresnel = f0 + (1.0 - f0) * grazing * grazing * grazing * grazing * grazing;
-        sum += light[i].rgb * fresnel * (nl * shape);
-    }
-    // What a polished thing mirrors of the surroundings: the sky along the reflected ray.
-    vec3 r = reflect(-v, n);
-    return sum + f0 * mix(ground.rgb, sky.rgb, smoothstep(-0.6, 0.8, r.y)) * 1.4;
+    return light[0].rgb * (light[0].w * h * h);
 }

@@ -3,9 +3,11 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 vertexColor;
 layout(location = 3) in vec2 texcoord;
 layout(location = 4) in float value;
+layout(location = 5) in vec2 texcoord1;
+layout(location = 6) in vec4 tangent;
 
 invariant gl_Position;
-#if defined(FLAT) || defined(MATERIAL)
+#ifdef PLACED
 out vec3 viewPosition;
 #endif
 #ifdef DENSE
@@ -16,8 +18,11 @@ out vec3 viewNormal;
 #if defined(COLOR) && !defined(DENSE)
 out vec4 tint;
 #endif
-#ifdef MATERIAL
-out vec2 uv;
+#if defined(MAPPED) || defined(CHECKER)
+out vec4 uv;  // both sets, v upwards
+#endif
+#ifdef TANGENT
+out vec4 viewTangent;
 #endif
 #ifdef HEAT
 out float heatValue;
@@ -29,7 +34,7 @@ flat out float heatValue;
 void main()
 {
     gl_Position = clipFromLocal * vec4(position, 1.0);
-#if defined(FLAT) || defined(MATERIAL)
+#ifdef PLACED
     viewPosition = (viewFromLocal * vec4(position, 1.0)).xyz;
 #endif
 #ifdef DENSE
@@ -46,8 +51,11 @@ void main()
 #if defined(COLOR) && !defined(DENSE)
     tint = vertexColor;
 #endif
-#ifdef MATERIAL
-    uv = vec2(texcoord.x, 1.0 - texcoord.y);
+#if defined(MAPPED) || defined(CHECKER)
+    uv = vec4(texcoord, texcoord1);
+#endif
+#ifdef TANGENT
+    viewTangent = vec4(mat3(viewFromLocal) * tangent.xyz, tangent.w);
 #endif
 #if defined(HEAT) || defined(HEAT_CATEGORY)
     heatValue = value;

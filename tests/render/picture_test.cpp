@@ -251,7 +251,7 @@ TEST_F(Pictures, BaseColourPictureTheRightWayUp)
     material->baseColorTexture.repeat = false;
     Frame f = frameWith(quad.with(floatAttribute("texcoord", Domain::Corner, 2, {0, 0, 1, 0, 1, 1, 0, 1})));
     f.objects[0].materials = {material};
-    f.objects[0].baseImages = {image};
+    f.objects[0].pictures = {{image->bytes}};
     const Picture p = draw(f);
     const glm::ivec4 red = at(p, f.camera, {-0.8, 0.8, 0}), green = at(p, f.camera, {0.8, 0.8, 0}), blue = at(p, f.camera, {-0.8, -0.8, 0});
     EXPECT_GT(red.x, red.y + 80);

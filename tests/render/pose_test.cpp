@@ -105,7 +105,7 @@ void expectAsOnTheCpu(DrawObject o, int texcoordSet)
     DrawContext c(gpu, frame, size);
     glBindVertexArray(gpu.vertexArray.id());
     SurfaceWants wants;
-    wants.texcoordSet = texcoordSet;
+    wants.texcoordSets[0] = texcoordSet;
     const BoundSurface s = bindSurface(c, o, wants);
     const Mesh expected = posed(o.mesh, *o.pose);
     const std::vector<glm::vec3> at = content(s.buffers.positions, s.buffers.vertices), normals = content(s.buffers.normals, s.buffers.vertices);

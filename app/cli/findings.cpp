@@ -43,36 +43,28 @@ std::vector<uint32_t> coincident(const Mesh& mesh)
 
 }  // namespace
 
-std::vector<Finding> findings(const Mesh& mesh, const TopologyReport& r)
+std::vector<Warning> findings(const Mesh& mesh, const TopologyReport& r)
 {
-    std::vector<Finding> out;
-    const auto add = [&](size_t n, const char* element, const char* code, std::string text, std::vector<uint32_t> elements, const char* remedy) {
-        if (n > 0) out.push_back({{code, std::move(text), std::move(elements)}, n, element, remedy});
+    std::vector<Warning> out;
+    const auto add = [&](size_t n, const char* code, std::string text, std::vector<uint32_t> elements) {
+        if (n > 0) out.push_back({code, std::move(text), std::move(elements)});
     };
-    add(mesh.faceCount() == 0, "mesh", "no-faces", "there are no faces, only " + counted(mesh.vertexCount(), "point"), {},
-        "operations on surfaces have nothing to work on");
+    add(mesh.faceCount() == 0, "no-faces", "there are no faces, only " + counted(mesh.vertexCount(), "point"), {});
     const std::vector<uint32_t> twins = coincident(mesh);
-    add(r.nonmanifoldEdges.size(), "edge", "nonmanifold-edges", counted(r.nonmanifoldEdges.size(), "edge has", "edges have") + " more than two faces",
-        some(r.nonmanifoldEdges), "operations treat each further face as if its edge were cut open there");
-    add(r.nonmanifoldVertices.size(), "vertex", "nonmanifold-vertices",
-        counted(r.nonmanifoldVertices.size(), "vertex joins", "vertices join") + " more than one fan of faces", some(r.nonmanifoldVertices),
-        "operations treat each fan as if it had a vertex of its own");
-    add(!r.orientable, "mesh", "not-orientable", "the surface has one side only (as a Moebius strip)", {},
-        "it has no inside: cut it open before baking or printing it");
-    add(r.orientable ? r.inconsistentEdges.size() : 0, "edge", "inconsistent-orientation",
-        counted(r.inconsistentEdges.size(), "edge has", "edges have") + " neighbouring faces that face opposite ways", some(r.inconsistentEdges),
-        "flip the faces on one side in the program that made the file");
-    add(r.degenerateFaces.size(), "face", "degenerate-faces",
-        counted(r.degenerateFaces.size(), "face has", "faces have") + " fewer than three corners or a vertex twice", some(r.degenerateFaces),
-        "they are left out of edges, components and loops; --op weld:drop-degenerate=true removes them");
-    add(r.duplicateFaces.size(), "face", "duplicate-faces",
-        counted(r.duplicateFaces.size(), "face has", "faces have") + " the same vertices as an earlier one", some(r.duplicateFaces),
-        "one of each is enough: they flicker when drawn");
-    add(twins.size(), "vertex", "coincident-vertices", counted(twins.size(), "vertex is", "vertices are") + " at exactly the place of another",
-        some(twins), "--op weld joins them");
-    add(mesh.faceCount() == 0 ? 0 : r.isolatedVertices.size(), "vertex", "isolated-vertices",
-        counted(r.isolatedVertices.size(), "vertex belongs", "vertices belong") + " to no face", some(r.isolatedVertices),
-        "harmless, but counted in size and bounds; --op weld:drop-unreferenced=true removes them");
+    add(r.nonmanifoldEdges.size(), "nonmanifold-edges", counted(r.nonmanifoldEdges.size(), "edge has", "edges have") + " more than two faces",
+        some(r.nonmanifoldEdges));
+    add(r.nonmanifoldVertices.size(), "nonmanifold-vertices",
+        counted(r.nonmanifoldVertices.size(), "vertex joins", "vertices join") + " more than one fan of faces", some(r.nonmanifoldVertices));
+    add(!r.orientable, "not-orientable", "the surface has one side only (as a Moebius strip)", {});
+    add(r.orientable ? r.inconsistentEdges.size() : 0, "inconsistent-orientation",
+        counted(r.inconsistentEdges.size(), "edge has", "edges have") + " neighbouring faces that face opposite ways", some(r.inconsistentEdges));
+    add(r.degenerateFaces.size(), "degenerate-faces",
+        counted(r.degenerateFaces.size(), "face has", "faces have") + " fewer than three corners or a vertex twice", some(r.degenerateFaces));
+    add(r.duplicateFaces.size(), "duplicate-faces",
+        counted(r.duplicateFaces.size(), "face has", "faces have") + " the same vertices as an earlier one", some(r.duplicateFaces));
+    add(twins.size(), "coincident-vertices", counted(twins.size(), "vertex is", "vertices are") + " at exactly the place of another", some(twins));
+    add(mesh.faceCount() == 0 ? 0 : r.isolatedVertices.size(), "isolated-vertices",
+        counted(r.isolatedVertices.size(), "vertex belongs", "vertices belong") + " to no face", some(r.isolatedVertices));
     return out;
 }
 

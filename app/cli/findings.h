@@ -1,4 +1,4 @@
-// What is wrong with a mesh, in words: worst first, each with what helps.
+// What is odd about a mesh, as warnings for scripts, worst first; the worklist (worklist.h) says it to people.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,13 +9,7 @@
 
 namespace mw::cli {
 
-struct Finding {
-    Warning warning;      ///< elements: a sample
-    size_t total = 0;     ///< how many elements are concerned
-    const char* element;  ///< "edge", "vertex", "face"
-    std::string remedy;
-};
-
-std::vector<Finding> findings(const Mesh& mesh, const TopologyReport& report);
+/// The text says of which kind the elements are; they are a sample.
+std::vector<Warning> findings(const Mesh& mesh, const TopologyReport& report);
 
 }  // namespace mw::cli

@@ -1,4 +1,6 @@
 // info FILE: what is in a file, and what is wrong with it.
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +9,7 @@
 #include "app/cli/output.h"
 #include "app/cli/placement_options.h"
 #include "app/cli/verb.h"
+#include "app/cli/worklist.h"
 #include "core/io/placement.h"
 #include "core/scene/scene_pose.h"
 
@@ -14,11 +17,14 @@ namespace mw::cli {
 
 namespace {
 
+constexpr size_t quickTriangles = 200000;  // up to there self-intersections are found in a moment
+
 struct MeshInfo {
     std::string name;
     Mesh mesh;
     size_t modifiers = 0;
-    std::vector<Finding> wrong;
+    std::vector<Warning> wrong;
+    std::vector<Defect> defects;
 };
 
 size_t morphTargets(const Mesh& m)
@@ -67,7 +73,8 @@ nlohmann::json meshJson(const MeshInfo& info)
             {"bounds", {{"min", point(b.min)}, {"max", point(b.max)}}},
             {"area", finite(surfaceArea(info.mesh))},
             {"volume", finite(enclosedVolume(info.mesh))},
-            {"morph_targets", morphTargets(info.mesh)}};
+            {"morph_targets", morphTargets(info.mesh)},
+            {"defects", defectsJson(info.defects)}};
 }
 
 // Names of the joints from a topmost one down, in the order of the tree; end sites only say where the last one ends.
@@ -122,8 +129,8 @@ nlohmann::json asJson(const std::string& file, const Imported& in, const std::ve
     for (const Warning& w : in.warnings) warnings.push_back({{"code", w.code}, {"text", w.text}, {"elements", w.elements}});
     for (const MeshInfo& m : meshes) {
         list.push_back(meshJson(m));
-        for (const Finding& f : m.wrong)
-            warnings.push_back({{"code", f.warning.code}, {"text", "mesh \"" + m.name + "\": " + f.warning.text}, {"elements", f.warning.elements}});
+        for (const Warning& w : m.wrong)
+            warnings.push_back({{"code", w.code}, {"text", "mesh \"" + m.name + "\": " + w.text}, {"elements", w.elements}});
     }
     return {{"file", file},
             {"format", in.format},
@@ -194,17 +201,6 @@ void printAttributes(const Mesh& mesh)
     if (!mesh.groupNames().empty()) std::cout << "  " << counted(mesh.groupNames().size(), "group") << '\n';
 }
 
-void printFinding(const Finding& f)
-{
-    std::cout << "  - " << f.warning.text;
-    const size_t stride = std::string_view(f.element) == "edge" ? 2 : 1;
-    const auto& e = f.warning.elements;
-    for (size_t i = 0; i < std::min(e.size(), 5 * stride); i += stride)
-        std::cout << (i == 0 ? ": " : ", ") << e[i] << (stride == 2 ? "-" + std::to_string(e[i + 1]) : "");
-    if (f.total > 5 && !e.empty()) std::cout << ", ...";
-    std::cout << "\n    " << f.remedy << '\n';
-}
-
 // The first few, so that a line stays one.
 std::string firstOf(const std::vector<std::string>& names)
 {
@@ -245,19 +241,35 @@ std::string placementText(const Imported& in)
     return "units " + in.units + (in.units == taken ? "" : ", taken as " + taken) + ", " + upText(in.placement.up) + " up";
 }
 
-void printText(const std::string& file, const Imported& in, const std::vector<MeshInfo>& meshes)
+// As a shell takes it: quoted where a name holds anything odd.
+std::string quoted(const std::string& file)
 {
-    std::cout << file << ": " << in.format << ", " << placementText(in) << (in.project ? ", a Meshwright project" : "") << '\n'
-              << counted(meshes.size(), "mesh", "meshes") << ", " << counted(in.scene.nodes().size(), "node") << ", "
-              << counted(in.scene.materials().size(), "material") << ", " << counted(in.scene.images().size(), "image") << '\n';
+    const auto plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || std::string_view("/._-+:@%,").find(c) != std::string_view::npos;
+    };
+    if (!file.empty() && std::all_of(file.begin(), file.end(), plain)) return file;
+    std::string out = "'";
+    for (const char c : file) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
+
+void printRepairs(const std::string& file, const std::vector<MeshInfo>& meshes)
+{
+    std::vector<std::string> calls;
+    for (const MeshInfo& m : meshes)
+        for (const std::string& call : repairCalls(m.defects))
+            if (std::find(calls.begin(), calls.end(), call) == calls.end()) calls.push_back(call);
+    if (calls.empty()) return;
+    std::cout << "\nAll of it:\n  meshwright process " << quoted(file);
+    for (const std::string& call : calls) std::cout << " --op " << call;
+    std::cout << " -o OUT\n";
+}
+
+void printWrong(const std::string& file, const Imported& in, const std::vector<MeshInfo>& meshes)
+{
     bool wrong = !in.warnings.empty();
-    for (const MeshInfo& m : meshes) {
-        std::cout << "\nmesh \"" << m.name << "\"" << (m.modifiers ? " (after " + counted(m.modifiers, "modifier") + ")" : "") << '\n';
-        printTopology(m.mesh, m.mesh.topology());
-        printAttributes(m.mesh);
-        wrong = wrong || !m.wrong.empty();
-    }
-    printMotion(in.scene);
+    for (const MeshInfo& m : meshes)
+        wrong = wrong || m.mesh.faceCount() == 0 || std::any_of(m.defects.begin(), m.defects.end(), [](const Defect& d) { return !d.passed(); });
     if (!wrong) {
         std::cout << "\nNothing is wrong with it.\n";
         return;
@@ -266,13 +278,31 @@ void printText(const std::string& file, const Imported& in, const std::vector<Me
     for (const Warning& w : in.warnings) std::cout << "  - " << w.text << '\n';
     for (const MeshInfo& m : meshes) {
         if (meshes.size() > 1 && !m.wrong.empty()) std::cout << "  mesh \"" << m.name << "\":\n";
-        for (const Finding& f : m.wrong) printFinding(f);
+        if (m.mesh.faceCount() == 0)
+            std::cout << "  - there are no faces, only " << counted(m.mesh.vertexCount(), "point")
+                      << "\n    operations on surfaces have nothing to work on\n";
+        printWorklist(m.mesh, m.defects);
     }
+    printRepairs(file, meshes);
+}
+
+void printText(const std::string& file, const Imported& in, const std::vector<MeshInfo>& meshes)
+{
+    std::cout << file << ": " << in.format << ", " << placementText(in) << (in.project ? ", a Meshwright project" : "") << '\n'
+              << counted(meshes.size(), "mesh", "meshes") << ", " << counted(in.scene.nodes().size(), "node") << ", "
+              << counted(in.scene.materials().size(), "material") << ", " << counted(in.scene.images().size(), "image") << '\n';
+    for (const MeshInfo& m : meshes) {
+        std::cout << "\nmesh \"" << m.name << "\"" << (m.modifiers ? " (after " + counted(m.modifiers, "modifier") + ")" : "") << '\n';
+        printTopology(m.mesh, m.mesh.topology());
+        printAttributes(m.mesh);
+    }
+    printMotion(in.scene);
+    printWrong(file, in, meshes);
 }
 
 int run(Arguments& arguments)
 {
-    const bool json = arguments.flag("--json");
+    const bool json = arguments.flag("--json"), intersections = arguments.flag("--self-intersections");
     const ImportOptions options = takeImportOptions(arguments);
     const std::string file = arguments.finish({"FILE"})[0];
     Imported in;
@@ -283,7 +313,7 @@ int run(Arguments& arguments)
         for (MeshId id : in.scene.meshes()) {
             const MeshObject& object = *in.scene.find(id);
             working.now(object.name);
-            MeshInfo m{object.name, {}, object.stack.size(), {}};
+            MeshInfo m{object.name, {}, object.stack.size(), {}, {}};
             try {
                 m.mesh = evaluated(object, working.progress());
             } catch (const Error& e) {
@@ -291,6 +321,9 @@ int run(Arguments& arguments)
                 in.warnings.push_back({"modifier-failed", e.reason() + "; the figures are of the mesh before its modifiers", {}});
             }
             m.wrong = findings(m.mesh, m.mesh.topology());
+            DefectOptions checks;
+            checks.selfIntersections = intersections || m.mesh.topology().triangles <= quickTriangles;
+            m.defects = defectsOf(m.mesh, checks, working.progress());
             meshes.push_back(std::move(m));
         }
     }
@@ -304,10 +337,11 @@ int run(Arguments& arguments)
 }  // namespace
 
 const Verb infoVerb{"info", "what is in a file, and what is wrong with it",
-                    "info FILE [--unit UNIT] [--up y|z|x] [--json]\n\n"
+                    "info FILE [--unit UNIT] [--up y|z|x] [--json] [--self-intersections]\n\n"
                     "Counts, topology, bounds and attributes of each mesh; skeletons, clips and terrains; and what is wrong, worst first,\n"
-                    "with what helps.\n"
-                    "  --json   one JSON object instead of text\n",
+                    "with the operations that mend it.\n"
+                    "  --json                 one JSON object instead of text\n"
+                    "  --self-intersections   look for them in meshes of more than 200,000 triangles, too\n",
                     run};
 
 }  // namespace mw::cli

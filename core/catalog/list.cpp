@@ -14,6 +14,7 @@
 #include "core/repair/normalise.h"
 #include "core/repair/orient.h"
 #include "core/repair/repair.h"
+#include "core/repair/self_intersections.h"
 #include "core/repair/smooth.h"
 #include "core/repair/weld.h"
 #include "core/simplify/decimate_quadric.h"
@@ -150,6 +151,13 @@ std::span<const Operation> catalog()
                                            .category = "Query",
                                            .source = "core/metrics/valence.cpp"},
                                           vertexValence),
+        entry<Mesh, SelfIntersections, Table>({.id = "self-intersections",
+                                               .title = "Self-intersections",
+                                               .section = "2.3",
+                                               .summary = "How many other faces each face passes through or lies on.",
+                                               .category = "Query",
+                                               .source = "core/repair/self_intersections.cpp"},
+                                              selfIntersections),
         entry<Mesh, Stripify, Table>({.id = "stripify",
                                       .title = "Triangle strips",
                                       .section = "2.1",

@@ -53,10 +53,10 @@ public:
         return true;
     }
 
-private:
     struct Link {
-        uint32_t to, turned;  // relative to `to`
+        uint32_t to, turned;  ///< relative to `to`
     };
+    /// The root of the set of i, and whether i is turned relative to it.
     Link find(uint32_t i)
     {
         uint32_t turned = 0;
@@ -69,6 +69,8 @@ private:
         }
         return {i, turned};
     }
+
+private:
     Array<Link> link_;
 };
 

@@ -26,8 +26,10 @@ struct DefectOptions {
     double tinyComponent = 0.01;    ///< a component is tiny when its box diagonal is below this share of the mesh's
 };
 
-/// Every check, worst first, those that passed at the end: nonmanifold-edges, nonmanifold-vertices, orientation, degenerate-faces,
-/// duplicate-faces, self-intersections, holes, tiny-components, coincident-vertices, isolated-vertices. Throws Cancelled.
+/// Every check, worst first, those that passed at the end: nonmanifold-edges, nonmanifold-vertices, coincident-vertices, degenerate-faces,
+/// duplicate-faces, orientation, self-intersections, tiny-components, holes, isolated-vertices. Run in this order, the repairs do not undo
+/// each other. Self-intersections have none; their offenders are groups of faces that hang together by intersecting. Coincident vertices are
+/// only those that can become one without making the surface non-manifold. Throws Cancelled.
 std::vector<Defect> defectsOf(const Mesh& mesh, const DefectOptions& options = {}, Progress* progress = nullptr);
 
 }  // namespace mw

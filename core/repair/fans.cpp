@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <unordered_map>
 
 #include "core/mesh/normals.h"
 #include "core/mesh/topology.h"
@@ -62,6 +63,8 @@ Mesh splitAtFans(const Mesh& mesh, CornerFans& fans, const std::vector<uint8_t>&
 
 namespace {
 
+constexpr size_t mostSides = 64;  // of an edge; beyond that all its faces part
+
 /// The faces round one edge, by the angle at which they stand.
 class FacesRoundEdge {
 public:
@@ -119,34 +122,108 @@ void FacesRoundEdge::pair(const Join& join) const
     }
     if (balanced_ || left.size() < 2) return;
     const Face *one = nullptr, *two = nullptr;
-    std::pair<bool, double> best(false, -1);  // opposite directions first, then the least bend
-    for (size_t i = 0; i < left.size(); ++i)
-        for (size_t j = i + 1; j < left.size(); ++j) {
-            const double turn = std::abs(left[i].angle - left[j].angle), flat = std::min(turn, 2 * M_PI - turn);  // pi: no bend
-            const std::pair<bool, double> merit(left[i].along != left[j].along, flat);
-            if (merit > best) one = &left[i], two = &left[j], best = merit;
+    double best = -1;
+    for (const Face& x : left)
+        for (const Face& y : left) {
+            const double turn = std::abs(x.angle - y.angle), flat = std::min(turn, 2 * M_PI - turn);  // pi: no bend
+            if (x.along && !y.along && flat > best) one = &x, two = &y, best = flat;
         }
     if (one) join(one->side, two->side);
 }
 
-Mesh splitOnce(const Mesh& mesh, bool edges, bool vertices, bool cutAll)
+constexpr const char *vertexMark = "repair:vertex", *pieceMark = "repair:piece", *turnMark = "repair:turn";
+
+/// What may be joined, given how things were before welding; without marks everything may.
+class Before {
+public:
+    explicit Before(const Mesh& mesh);
+    bool known() const { return !vertex_.empty(); }
+    /// Sides c and d lay on one edge before.
+    bool sameEdge(uint32_t c, uint32_t d) const { return edge(c) == edge(d); }
+    /// Takes note of the join, unless it would make the surface one-sided or glue a face to its own back.
+    bool mayJoin(uint32_t c, uint32_t d);
+
+private:
+    std::pair<int32_t, int32_t> edge(uint32_t c) const { return std::minmax(vertex_[c], vertex_[next(c)]); }
+    uint32_t faceOf(uint32_t c) const { return face_[c]; }
+    uint32_t next(uint32_t c) const { return c + 1 == mesh_.faceStart()[face_[c] + 1] ? mesh_.faceStart()[face_[c]] : c + 1; }
+
+    const Mesh& mesh_;
+    std::span<const int32_t> vertex_;
+    Array<uint32_t> face_;
+    ParityUnionFind pieces_;
+};
+
+Before::Before(const Mesh& mesh) : mesh_(mesh), pieces_(mesh.find(vertexMark) ? mesh.faceCount() : 0)
+{
+    const Attribute *vertex = mesh.find(vertexMark), *piece = mesh.find(pieceMark), *turn = mesh.find(turnMark);
+    if (!vertex || !piece || !turn) return;
+    vertex_ = vertex->integers();
+    face_ = cornerFacesOf(mesh);
+    std::unordered_map<int32_t, uint32_t> first;
+    for (uint32_t f = 0; f < mesh.faceCount(); ++f) {
+        const uint32_t g = first.emplace(piece->integers()[f], f).first->second;
+        pieces_.join(f, g, turn->integers()[f] != turn->integers()[g]);
+    }
+}
+
+bool Before::mayJoin(uint32_t c, uint32_t d)
+{
+    if (!known() || sameEdge(c, d)) return true;
+    const auto f = mesh_.face(faceOf(c)), g = mesh_.face(faceOf(d));
+    if (f.size() == g.size() && std::is_permutation(f.begin(), f.end(), g.begin())) return false;
+    return pieces_.join(faceOf(c), faceOf(d), mesh_.cornerVertex()[c] == mesh_.cornerVertex()[d]);
+}
+
+/// Sides that lay on one edge of two faces before are joined; gives those that are left.
+template <class Join>
+std::vector<uint32_t> joinAsBefore(const Before& before, std::span<const uint32_t> sides, const Join& join)
+{
+    std::vector<uint32_t> rest;
+    for (const uint32_t c : sides) {
+        uint32_t partner = none;
+        size_t same = 0;
+        for (const uint32_t d : sides)
+            if (before.known() && before.sameEdge(c, d) && ++same && d != c) partner = d;
+        if (same != 2)
+            rest.push_back(c);
+        else if (c < partner)
+            join(c, partner);
+    }
+    return rest;
+}
+
+/// How much of an edge of more than two faces is cut: first what cannot be told, then what was not joined before, then all.
+enum class Cut { Least, New, All };
+
+Mesh splitOnce(const Mesh& mesh, bool edges, bool vertices, Cut cut)
 {
     const std::vector<uint8_t> degenerate = degenerateFacesOf(mesh);
     const EdgeSides all = edgeSidesOf(mesh, degenerate);
     const Array<uint32_t> cornerFace = mesh.isTriangles() ? Array<uint32_t>() : cornerFacesOf(mesh);
     CornerFans fans(mesh);
+    Before before(mesh);
     std::vector<uint8_t> where;
     if (!vertices || !degenerate.empty()) where.assign(mesh.vertexCount(), uint8_t(vertices));
+    const auto join = [&](uint32_t c, uint32_t d) { fans.join(c, d); };
+    const auto joinIfAllowed = [&](uint32_t c, uint32_t d) {
+        if (before.mayJoin(c, d)) fans.join(c, d);
+    };
     for (size_t e = 0; e < all.size(); ++e) {
         const auto sides = all.sides(e);
         const uint32_t a = all.ends[2 * e], b = all.ends[2 * e + 1];
-        const auto join = [&](uint32_t c, uint32_t d) { fans.join(c, d); };
         if (sides.size() <= 2 || !edges) {
-            for (size_t i = 1; i < sides.size(); ++i) join(sides[0], sides[i]);
+            for (size_t i = 1; i < sides.size(); ++i) joinIfAllowed(sides[0], sides[i]);
             continue;
         }
         if (!where.empty()) where[a] = where[b] = 1;
-        if (!cutAll && sides.size() <= 64) FacesRoundEdge(mesh, cornerFace, a, b, sides).pair(join);
+        if (cut == Cut::All || sides.size() > mostSides) continue;
+        const std::vector<uint32_t> rest = joinAsBefore(before, sides, join);
+        if (cut == Cut::New || rest.size() < 2) continue;
+        if (rest.size() == 2)
+            joinIfAllowed(rest[0], rest[1]);
+        else
+            FacesRoundEdge(mesh, cornerFace, a, b, rest).pair(joinIfAllowed);
     }
     // Corners of degenerate faces hang on no edge: they stay where they are, and so does their vertex.
     for (size_t f = 0; f < degenerate.size(); ++f)
@@ -159,10 +236,37 @@ Mesh splitOnce(const Mesh& mesh, bool edges, bool vertices, bool cutAll)
 
 Mesh splitNonmanifold(const Mesh& mesh, bool edges, bool vertices)
 {
-    Mesh out = splitOnce(mesh, edges, vertices, false);
-    // Faces that should part at an edge may still hang together round both its ends. Then all of them get an edge of their own there.
-    for (int round = 0; edges && round < 4 && !out.topology().nonmanifoldEdges.empty(); ++round) out = splitOnce(out, edges, vertices, true);
+    Mesh out = splitOnce(mesh, edges, vertices, Cut::Least);
+    // Faces that should part at an edge may still hang together round both its ends. Then more of it is cut.
+    for (int round = 0; edges && round < 4 && !out.topology().nonmanifoldEdges.empty(); ++round)
+        out = splitOnce(out, edges, vertices, round == 0 ? Cut::New : Cut::All);
     return out;
+}
+
+Mesh markedForWelding(const Mesh& mesh)
+{
+    if (mesh.find(vertexMark)) return mesh;  // of the whole, when this is a part of it
+    const EdgeSides edges = edgeSidesOf(mesh, degenerateFacesOf(mesh));
+    const Array<uint32_t> face = cornerFacesOf(mesh);
+    ParityUnionFind pieces(mesh.faceCount());
+    for (size_t e = 0; e < edges.size(); ++e) {
+        const auto sides = edges.sides(e);
+        if (sides.size() == 2) pieces.join(face[sides[0]], face[sides[1]], mesh.cornerVertex()[sides[0]] == mesh.cornerVertex()[sides[1]]);
+    }
+    Array<int32_t> vertex(mesh.cornerVertex().begin(), mesh.cornerVertex().end()), piece(mesh.faceCount()), turn(mesh.faceCount());
+    for (uint32_t f = 0; f < mesh.faceCount(); ++f) {
+        const auto at = pieces.find(f);
+        piece[f] = int32_t(at.to);
+        turn[f] = int32_t(at.turned);
+    }
+    return mesh.with(integerAttribute(vertexMark, Domain::Corner, 1, std::move(vertex)))
+        .with(integerAttribute(pieceMark, Domain::Face, 1, std::move(piece)))
+        .with(integerAttribute(turnMark, Domain::Face, 1, std::move(turn)));
+}
+
+Mesh withoutMarks(const Mesh& mesh)
+{
+    return mesh.without(vertexMark).without(pieceMark).without(turnMark);
 }
 
 }  // namespace mw

@@ -28,8 +28,15 @@ private:
 Mesh splitAtFans(const Mesh& mesh, CornerFans& fans, const std::vector<uint8_t>& where = {});
 
 /// Splits non-manifold edges and vertices; no face is lost, none changes its shape. At an edge of more than two faces those stay together
-/// that bound the same piece of the inside, if as many run one way as the other, else the flattest pair; further faces get an edge of
-/// their own. Without `edges` only vertices are split, without `vertices` only those at the ends of such edges. Degenerate faces stay as they are.
+/// that bound the same piece of the inside, if as many run one way as the other, else the flattest pair of opposite ones; further faces get an
+/// edge of their own. Without `edges` only vertices are split, without `vertices` only those at the ends of such edges. Degenerate faces stay.
+/// In a mesh that was marked before it was welded, what was joined then stays joined, and two sides that only welding brought together part
+/// again where the surface would become one-sided, or a face would be glued to its own back.
 Mesh splitNonmanifold(const Mesh& mesh, bool edges = true, bool vertices = true);
+
+/// The mesh with what splitNonmanifold wants to know of it later: for each corner its vertex, for each face the piece of surface it belongs to
+/// and which way it turns within it.
+Mesh markedForWelding(const Mesh& mesh);
+Mesh withoutMarks(const Mesh& mesh);
 
 }  // namespace mw

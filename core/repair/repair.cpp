@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/mesh/connectivity.h"
+#include "core/mesh/rings.h"
 #include "core/mesh/topology.h"
 #include "core/mesh/triangulate.h"
 #include "core/repair/components.h"
@@ -83,6 +84,37 @@ Mesh withoutDuplicates(const Mesh& mesh)
     return withoutFaces(mesh, dropped);
 }
 
+std::vector<uint32_t> sortedFace(const Mesh& mesh, uint32_t f)
+{
+    std::vector<uint32_t> v(mesh.face(f).begin(), mesh.face(f).end());
+    std::sort(v.begin(), v.end());
+    return v;
+}
+
+/// Two faces of the same vertices that run the same way round.
+bool sameWay(const Mesh& mesh, uint32_t f, uint32_t g)
+{
+    const auto a = mesh.face(f), b = mesh.face(g);
+    const auto start = std::find(b.begin(), b.end(), a[0]);
+    return a.size() == b.size() && start != b.end() && b[size_t(start - b.begin() + 1) % b.size()] == a[1];
+}
+
+/// Of what welding has laid on each other only copies go: a front and a back that had vertices of their own are no mistake.
+Mesh withoutCopies(const Mesh& mesh)
+{
+    std::vector<uint8_t> dropped(mesh.faceCount(), 0);
+    for (const uint32_t f : mesh.topology().duplicateFaces) {
+        if (mesh.face(f).size() < 3) continue;
+        const std::vector<uint32_t> vertices = sortedFace(mesh, f);
+        const Rings& rings = mesh.rings();
+        for (const uint32_t c : rings.cornersOf(vertices[0])) {
+            const uint32_t g = uint32_t(std::upper_bound(mesh.faceStart().begin(), mesh.faceStart().end(), c) - mesh.faceStart().begin()) - 1;
+            if (g < f && !dropped[g] && sortedFace(mesh, g) == vertices && sameWay(mesh, f, g)) dropped[f] = 1;
+        }
+    }
+    return withoutFaces(mesh, dropped);
+}
+
 Mesh withoutTiny(const Mesh& mesh, double share)
 {
     std::vector<uint8_t> dropped(mesh.faceCount(), 0);
@@ -97,18 +129,21 @@ Generator repair(Mesh input, Repair p, Stage<Mesh>& stage)
 {
     Mesh mesh = input;
     stage.show([&] { return mesh; });
+    co_yield Step("tidy").progress(0);
+    if (p.dropDegenerate) mesh = tidied(mesh);
+    co_yield Step("duplicates").progress(0.1);
+    if (p.dropDuplicates) mesh = withoutDuplicates(mesh);
     if (p.weld) {
         Stage<Mesh> inner(false);
-        Generator welding = weld(mesh, {.distance = p.weldDistance, .dropDegenerate = false, .dropUnreferenced = false}, inner);
-        while (welding.next()) co_yield Step("weld").progress(0.3 * std::max(0.0, double(welding.step().progress())));
+        Generator welding = weld(markedForWelding(mesh), {.distance = p.weldDistance, .dropDegenerate = false, .dropUnreferenced = false}, inner);
+        while (welding.next()) co_yield Step("weld").progress(0.2 + 0.3 * std::max(0.0, double(welding.step().progress())));
         mesh = inner.value();
+        if (p.dropDegenerate) mesh = tidied(mesh);
+        if (p.dropDuplicates) mesh = withoutCopies(mesh);
     }
-    co_yield Step("tidy").progress(0.3);
-    if (p.dropDegenerate) mesh = tidied(mesh);
-    co_yield Step("duplicates").progress(0.4);
-    if (p.dropDuplicates) mesh = withoutDuplicates(mesh);
     co_yield Step("split").progress(0.6);
     if (p.splitEdges || p.splitVertices) mesh = splitNonmanifold(mesh, p.splitEdges, p.splitVertices);
+    mesh = withoutMarks(mesh);
     co_yield Step("components").progress(0.8);
     if (p.dropTiny) mesh = withoutTiny(mesh, p.tinyShare);
     co_yield Step("loose").progress(0.9);

@@ -46,11 +46,11 @@ struct Repair {
     }
 };
 
-/// In this order: vertices are joined (see weld.h), faces tidied, duplicates dropped, non-manifold edges and vertices split (see fans.h), tiny
-/// components and isolated vertices removed. Afterwards the topology report has no offender of these kinds. No other face is lost, no vertex
-/// moves, and a second run changes nothing. Every new element takes the attributes of the old one it was; welding may move texture
-/// coordinates, normals and colours from vertices to corners. A mesh without faces keeps its points. O(n log n).
-/// A face that visits a vertex twice, such as an outline with a bridge to its hole, keeps its area: it becomes triangles.
+/// In this order: faces are tidied and duplicates dropped, vertices joined (see weld.h) and what collapsed or doubled by that tidied, non-manifold
+/// edges and vertices split (see fans.h), tiny components and isolated vertices removed. Afterwards the topology report has no offender of these
+/// kinds. No other face is lost, no vertex moves, and a second run changes nothing. Every new element takes the attributes of the old one it was;
+/// welding may move texture coordinates, normals and colours from vertices to corners. A mesh without faces keeps its points. O(n log n). A face that
+/// visits a vertex twice, such as an outline with a bridge to its hole, keeps its area: it becomes triangles.
 Generator repair(Mesh input, Repair parameters, Stage<Mesh>& stage);
 
 }  // namespace mw

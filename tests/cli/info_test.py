@@ -5,7 +5,8 @@ from harness import DATA, Case, main, needs_data, rows
 
 KEYS = {"name", "vertices", "edges", "faces", "triangles", "euler", "genus", "components", "boundary_loops", "boundary_edges",
         "nonmanifold_edges", "nonmanifold_vertices", "degenerate_faces", "duplicate_faces", "isolated_vertices", "orientable",
-        "consistently_oriented", "closed", "valence_histogram", "face_sizes", "bounds", "area", "volume", "morph_targets"}
+        "consistently_oriented", "closed", "valence_histogram", "face_sizes", "bounds", "area", "volume", "morph_targets",
+        "defects"}
 CUBE = "".join(f"v {x} {y} {z}\n" for x in (0, 2) for y in (0, 2) for z in (0, 2)) + """\
 f 1 2 4 3
 f 5 7 8 6
@@ -42,6 +43,44 @@ class Info(Case):
         text = self.ok("info", fan).out
         self.assertLess(text.index("more than two faces"), text.index("belongs to no face"))
         self.assertIn("Nothing is wrong", self.ok("info", self.write("cube.obj", CUBE)).out)
+
+    def test_worklist_names_what_mends_it(self):
+        open_cube = self.write("open.obj", "\n".join(CUBE.split("\n")[:-2]) + "\nv 7 7 7\n")
+        defects = {d["id"]: d for d in self.mesh(open_cube)["defects"]}
+        self.assertEqual(len(defects), 10)
+        self.assertEqual(defects["holes"], {"id": "holes", "count": 1, "repair": "fill-holes"})
+        self.assertEqual(defects["isolated-vertices"]["count"], 1)
+        self.assertEqual(defects["self-intersections"], {"id": "self-intersections", "count": 0, "repair": None})
+        text = self.ok("info", open_cube).out
+        self.assertIn("1 hole with 4 edges", text)
+        command = re.search(r"meshwright (process .*) -o OUT", text).group(1).split()
+        self.assertEqual(command[2:], ["--op", "repair", "--op", "fill-holes"])
+        mended = self.folder / "mended.ply"
+        self.ok(*command, "-o", mended)
+        self.assertIn("Nothing is wrong", self.ok("info", mended).out)
+        self.assertAlmostEqual(self.mesh(mended)["volume"], 8)
+
+    def test_self_intersections(self):
+        crossing = self.write("x.obj", "v -1 0 0\nv 1 0 0\nv 0 2 0\nv 0 1 -1\nv 0 1 1\nv 0 3 0\nf 1 2 3\nf 4 5 6\n")
+        defects = {d["id"]: d["count"] for d in self.mesh(crossing)["defects"]}
+        self.assertEqual(defects["self-intersections"], 1)
+        out = self.folder / "x.json"
+        self.ok("process", crossing, "--op", "self-intersections", "-o", out)
+        self.assertIn("[0,1]", out.read_text().replace(" ", "").replace("\n", ""))
+
+    @needs_data
+    def test_scans_are_mended_by_the_command_that_is_shown(self):
+        for name, loops, isolated in (("boundary/stanford-bunny.obj", 5, 1113), ("large/dragon_871k.ply", 407, 0)):
+            file = DATA / "meshes" / name
+            defects = {d["id"]: d["count"] for d in self.mesh(file)["defects"]}
+            self.assertEqual((defects["holes"], defects["isolated-vertices"]), (loops, isolated))
+            text = self.ok("info", file).out
+            command = re.search(r"meshwright (process .*) -o OUT", text).group(1).split()
+            mended = self.folder / "mended.ply"
+            self.ok(*command, "-o", mended)
+            after = self.mesh(mended)
+            self.assertTrue(after["closed"] and after["consistently_oriented"])
+            self.assertEqual([d for d in after["defects"] if d["count"] and d["repair"]], [])
 
     def test_points_only(self):
         m = self.mesh(self.write("p.obj", "v 1 2 3\nv 4 5 6\n"))

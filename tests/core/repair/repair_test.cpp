@@ -298,6 +298,27 @@ TEST(FillHoles, TheLargestLoopAndLargeOnesStay)
     EXPECT_EQ(applied("fill-holes", mesh, "").topology().boundaryLoops.size(), 0u);
 }
 
+/// The vertices of a hole in a sphere come back to the sphere, at the density around.
+TEST(FillHoles, AFairSurfaceGoesOnRound)
+{
+    const Mesh damaged =
+        std::get<Mesh>(apply(operation("damaged-sphere"), {}, {{"subdivisions", int64_t(4)}, {"holes", int64_t(0)}, {"turned", 0.0}}));
+    Array<uint32_t> cap;
+    for (size_t f = 0; f < damaged.faceCount(); ++f) {
+        const auto v = damaged.face(f);
+        if (damaged.positions()[v[0]].y < 0.9f) cap.insert(cap.end(), v.begin(), v.end());
+    }
+    const Mesh open = applied("repair", Mesh::triangles(damaged.positions(), cap), "");
+    const Mesh flat = applied("fill-holes", open, ""), round = applied("fill-holes", open, "method=fair");
+    EXPECT_TRUE(round.topology().closed && round.topology().manifold() && round.topology().consistentlyOriented);
+    EXPECT_EQ(round.topology().euler, 2);
+    EXPECT_GT(round.vertexCount(), flat.vertexCount() + 20);
+    double worst = 0;
+    for (size_t v = open.vertexCount(); v < round.vertexCount(); ++v) worst = std::max(worst, std::abs(glm::length(round.positions()[v]) - 1.0));
+    EXPECT_LT(worst, 0.02) << "the flat one is off by 0.1 in the middle";
+    EXPECT_LT(std::abs(enclosedVolume(round) - enclosedVolume(damaged)), 0.2 * std::abs(enclosedVolume(flat) - enclosedVolume(damaged)));
+}
+
 TEST(Normalise, FitsBoxAndSphereAndStandsOnTheFloor)
 {
     const Mesh mesh = grid(6, true, false).mesh();
@@ -344,12 +365,14 @@ TEST(RepairOnData, EveryMeshBecomesACleanClosedManifold)
         EXPECT_EQ(oriented.faceCount(), mended.faceCount());
         EXPECT_EQ(contentHash(applied("orient", oriented, "cut=true")), contentHash(oriented));
 
-        const Mesh filled = applied("fill-holes", oriented, "");
-        EXPECT_TRUE(checkMesh(filled));
-        const TopologyReport& f = filled.topology();
-        EXPECT_TRUE(f.manifold() && f.consistentlyOriented && f.duplicateFaces.empty() && f.degenerateFaces.empty());
-        EXPECT_TRUE(f.closed || filled.faceCount() == 0);
-        EXPECT_EQ(f.euler, oriented.topology().euler + long(oriented.topology().boundaryLoops.size())) << "each loop filled adds one";
+        for (const char* method : {"method=flat", "method=fair"}) {
+            const Mesh filled = applied("fill-holes", oriented, method);
+            EXPECT_TRUE(checkMesh(filled));
+            const TopologyReport& f = filled.topology();
+            EXPECT_TRUE(f.manifold() && f.consistentlyOriented && f.duplicateFaces.empty() && f.degenerateFaces.empty()) << method;
+            EXPECT_TRUE(f.closed || filled.faceCount() == 0);
+            EXPECT_EQ(f.euler, oriented.topology().euler + long(oriented.topology().boundaryLoops.size())) << "each loop filled adds one";
+        }
     }
     EXPECT_GT(tried, 40u);
 }

@@ -1,0 +1,273 @@
+// A tree of boxes over all triangles; each triangle is held against those behind it in the order of the tree.
+#include "core/repair/self_intersections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include "core/repair/coincident.h"
+#include "core/repair/triangle_overlap.h"
+
+namespace mw {
+
+namespace {
+
+struct Box {
+    glm::vec3 min, max;
+    bool overlaps(const Box& b) const
+    {
+        return min.x <= b.max.x && b.min.x <= max.x && min.y <= b.max.y && b.min.y <= max.y && min.z <= b.max.z && b.min.z <= max.z;
+    }
+    void add(const Box& b)
+    {
+        min = {std::min(min.x, b.min.x), std::min(min.y, b.min.y), std::min(min.z, b.min.z)};
+        max = {std::max(max.x, b.max.x), std::max(max.y, b.max.y), std::max(max.z, b.max.z)};
+    }
+};
+
+struct Triangle {
+    Corners corners;
+    uint32_t vertex[3];
+    uint32_t face;
+};
+
+Box boxOf(const Corners& t)
+{
+    Box b{t.at[0], t.at[0]};
+    for (int k = 1; k < 3; ++k) b.add({t.at[k], t.at[k]});
+    return b;
+}
+
+/// All triangles with an area.
+std::vector<Triangle> trianglesOf(const Mesh& mesh, bool byPlace)
+{
+    const Mesh::Triangulation& cut = mesh.triangulation();
+    const Array<uint32_t> same = byPlace ? lowestAtPlace(mesh) : Array<uint32_t>();
+    std::vector<Triangle> out;
+    out.reserve(cut.faces.size());
+    for (size_t t = 0; t < cut.faces.size(); ++t) {
+        Triangle x;
+        x.face = cut.faces[t];
+        for (size_t k = 0; k < 3; ++k) {
+            const uint32_t v = cut.vertices[3 * t + k];
+            x.vertex[k] = byPlace ? same[v] : v;
+            x.corners.at[k] = mesh.positions()[v];
+        }
+        if (!onOneLine(x.corners)) out.push_back(x);
+    }
+    return out;
+}
+
+/// Two triangles whose boxes overlap: by the number of common vertices.
+bool intersect(const Triangle& s, const Triangle& t)
+{
+    int ofS[3], ofT[3], common = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (s.vertex[i] == t.vertex[j]) {
+                ofS[common] = i;
+                ofT[common++] = j;
+                break;
+            }
+    const Corners &a = s.corners, &b = t.corners;
+    if (common == 0) return meet(a, b);
+    if (common == 1) return meetBeyondCorner(a, ofS[0], b, ofT[0]);
+    if (common == 2) return meetBeyondSide(a.at[ofS[0]], a.at[ofS[1]], a.at[3 - ofS[0] - ofS[1]], b.at[3 - ofT[0] - ofT[1]]);
+    return true;
+}
+
+/// A complete binary tree: node k has the children 2k + 1 and 2k + 2, which share its range of triangles by halves.
+class Tree {
+public:
+    Tree(std::vector<Triangle> triangles, Progress* progress);
+    size_t size() const { return triangles_.size(); }
+    /// Pairs of faces of the triangles first..last-1 with those behind them; stops beyond `most`.
+    std::vector<FacePair> pairs(size_t first, size_t last, size_t most) const;
+
+private:
+    struct Range {
+        size_t node, first, last;
+        size_t middle() const { return first + (last - first) / 2; }
+    };
+    static constexpr size_t leafSize = 4;
+    bool isLeaf(const Range& r) const { return 2 * r.node + 1 >= box_.size(); }
+    void sort(Range r);
+    void fit(Range r);
+
+    std::vector<Triangle> triangles_;
+    std::vector<Box> own_, box_;  // of triangles, of nodes
+    Array<uint32_t> order_;
+    Progress* progress_;
+};
+
+Tree::Tree(std::vector<Triangle> triangles, Progress* progress) : triangles_(std::move(triangles)), order_(triangles_.size()), progress_(progress)
+{
+    size_t leaves = 1;
+    while (leaves * leafSize < triangles_.size()) leaves *= 2;
+    box_.resize(2 * leaves - 1);
+    own_.resize(triangles_.size());
+    for (size_t i = 0; i < own_.size(); ++i) own_[i] = boxOf(triangles_[i].corners);
+    std::iota(order_.begin(), order_.end(), 0u);
+    if (triangles_.empty()) return;
+    sort({0, 0, triangles_.size()});
+    std::vector<Triangle> sorted(triangles_.size());
+    std::vector<Box> boxes(own_.size());
+    for (size_t i = 0; i < sorted.size(); ++i) {
+        sorted[i] = triangles_[order_[i]];
+        boxes[i] = own_[order_[i]];
+    }
+    triangles_ = std::move(sorted);
+    own_ = std::move(boxes);
+    fit({0, 0, triangles_.size()});
+}
+
+/// Halves by the middle of the boxes along the longest side. Ties by number, so that the order is the same on every run.
+void Tree::sort(Range r)
+{
+    if (isLeaf(r)) return;
+    if (progress_ && r.last - r.first > 32768) progress_->at(progress_->fraction);
+    Box centres{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+    for (size_t i = r.first; i < r.last; ++i) {
+        const glm::vec3 c = 0.5f * own_[order_[i]].min + 0.5f * own_[order_[i]].max;
+        centres.add({c, c});
+    }
+    const glm::vec3 size = centres.max - centres.min;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const auto begin = order_.begin();
+    std::nth_element(begin + long(r.first), begin + long(r.middle()), begin + long(r.last), [&](uint32_t a, uint32_t b) {
+        const float x = 0.5f * own_[a].min[axis] + 0.5f * own_[a].max[axis], y = 0.5f * own_[b].min[axis] + 0.5f * own_[b].max[axis];
+        return x != y ? x < y : a < b;
+    });
+    const Range left{2 * r.node + 1, r.first, r.middle()}, right{2 * r.node + 2, r.middle(), r.last};
+    if (r.last - r.first < 8192) {
+        sort(left);
+        sort(right);
+    } else {
+        tbb::parallel_invoke([&] { sort(left); }, [&] { sort(right); });
+    }
+}
+
+void Tree::fit(Range r)
+{
+    Box& b = box_[r.node];
+    b = {glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+    if (isLeaf(r)) {
+        for (size_t i = r.first; i < r.last; ++i) b.add(own_[i]);
+        return;
+    }
+    fit({2 * r.node + 1, r.first, r.middle()});
+    fit({2 * r.node + 2, r.middle(), r.last});
+    b = box_[2 * r.node + 1];
+    b.add(box_[2 * r.node + 2]);
+}
+
+std::vector<FacePair> Tree::pairs(size_t first, size_t last, size_t most) const
+{
+    std::vector<FacePair> out;
+    std::vector<Range> open;
+    for (size_t i = first; i < last && out.size() <= most; ++i) {
+        const Triangle& s = triangles_[i];
+        open.push_back({0, 0, triangles_.size()});
+        while (!open.empty()) {
+            const Range r = open.back();
+            open.pop_back();
+            if (r.last <= i + 1 || !box_[r.node].overlaps(own_[i])) continue;
+            if (!isLeaf(r)) {
+                open.push_back({2 * r.node + 2, r.middle(), r.last});
+                open.push_back({2 * r.node + 1, r.first, r.middle()});
+                continue;
+            }
+            for (size_t j = std::max(r.first, i + 1); j < r.last; ++j) {
+                const Triangle& t = triangles_[j];
+                if (s.face != t.face && own_[i].overlaps(own_[j]) && intersect(s, t)) out.push_back(std::minmax(s.face, t.face));
+            }
+        }
+    }
+    return out;
+}
+
+void makeUnique(std::vector<FacePair>& pairs, size_t most)
+{
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());  // polygons meet by several triangles
+    if (pairs.size() > most) pairs.resize(most);
+}
+
+/// The search in pieces, so that whoever asked can look up in between.
+class Search {
+public:
+    Search(const Mesh& mesh, const IntersectionOptions& options, Progress* progress)
+        : tree_(trianglesOf(mesh, options.byPlace), progress), most_(options.most)
+    {}
+    bool done() const { return at_ >= tree_.size() || found_.size() > most_; }
+    double fraction() const { return tree_.size() ? double(at_) / double(tree_.size()) : 1; }
+    void next();
+    std::vector<FacePair> result()
+    {
+        makeUnique(found_, most_);
+        return std::move(found_);
+    }
+
+private:
+    static constexpr size_t piece = 256, pieces = 64;
+    Tree tree_;
+    size_t most_, at_ = 0;
+    std::vector<FacePair> found_;
+};
+
+void Search::next()
+{
+    std::vector<std::vector<FacePair>> found(pieces);
+    tbb::parallel_for(size_t(0), pieces, [&](size_t k) {
+        const size_t first = std::min(tree_.size(), at_ + k * piece), last = std::min(tree_.size(), first + piece);
+        found[k] = tree_.pairs(first, last, most_);
+    });
+    for (const auto& f : found) found_.insert(found_.end(), f.begin(), f.end());
+    at_ += piece * pieces;
+}
+
+}  // namespace
+
+std::vector<FacePair> selfIntersectionsOf(const Mesh& mesh, const IntersectionOptions& options, Progress* progress)
+{
+    const float from = progress ? progress->fraction.load() : 0;
+    Search search(mesh, options, progress);
+    while (!search.done()) {
+        search.next();
+        if (progress) progress->at(from + (1 - from) * float(search.fraction()));
+    }
+    return search.result();
+}
+
+Generator selfIntersections(Mesh input, SelfIntersections p, Stage<Table>& stage)
+{
+    co_yield Step("boxes").progress(0);
+    IntersectionOptions options;
+    options.byPlace = p.byPlace;
+    Search search(input, options, nullptr);
+    while (!search.done()) {
+        search.next();
+        co_yield Step("pairs").progress(search.fraction());
+    }
+    const std::vector<FacePair> pairs = search.result();
+    Table table;
+    table.rows = ElementKind::Face;
+    Array<double> count(input.faceCount(), 0.);
+    std::vector<uint32_t> flat;
+    for (const auto& [a, b] : pairs) {
+        ++count[a];
+        ++count[b];
+        flat.push_back(a);
+        flat.push_back(b);
+    }
+    const double faces = double(std::count_if(count.begin(), count.end(), [](double n) { return n > 0; }));
+    table.columns.push_back({"intersections", "", std::move(count), false});
+    table.summary = {{"pairs", double(pairs.size())}, {"faces", faces}};
+    table.lists = {{"pairs", std::move(flat)}};
+    stage.finish(std::move(table));
+}
+
+}  // namespace mw

@@ -195,7 +195,7 @@ void doubtUnit(Imported& in)
     const std::string number(text, std::to_chars(text, text + sizeof text, size, std::chars_format::general, 3).ptr);
     in.warnings.push_back({"unit-guess",
                            "the file does not say its unit; taken as metres it is " + number + " m across: " +
-                               (size > 100 ? "very large, perhaps its numbers are millimetres?" : "very small, perhaps its numbers are kilometres?") +
+                               (size > 100 ? "very large, perhaps its numbers are millimetres?" : "very small, perhaps its unit is longer?") +
                                " Say the unit when you import it",
                            {}});
 }

@@ -78,6 +78,7 @@ private:
     void vertices(TextOut& out);
     void rows(TextOut& out, const char* keyword, const Attribute& a, const Distinct& d);
     void faces(OutputFile& file, TextOut& out);
+    void points(TextOut& out);
     const Attribute* usable(std::string_view name, int components) const;
     const Attribute* vertexColors();
     void lost();
@@ -288,6 +289,22 @@ void Writer::writeObjFile()
         out.number(mesh_.lines()[i] + 1);
         out.put(' ');
         out.number(mesh_.lines()[i + 1] + 1);
+        out.end();
+    }
+    points(out);
+}
+
+/// Vertices that no face and no line uses: without a word of their own many programs drop them.
+void Writer::points(TextOut& out)
+{
+    std::vector<bool> used(mesh_.vertexCount());
+    for (uint32_t v : mesh_.cornerVertex()) used[v] = true;
+    for (uint32_t v : mesh_.lines()) used[v] = true;
+    for (uint32_t v = 0; v < used.size(); ++v) {
+        if (used[v]) continue;
+        out.begin(1);
+        out.word("p ");
+        out.number(v + 1);
         out.end();
     }
 }

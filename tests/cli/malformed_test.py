@@ -5,7 +5,7 @@ import random
 
 from harness import DATA, SANITIZED, Case, Ran, main, needs_data, rows
 
-ENDINGS = (".obj", ".ply", ".gltf", ".glb", ".x", ".fbx", ".md5mesh", ".md5anim", ".tga")
+ENDINGS = (".obj", ".ply", ".off", ".stl", ".gltf", ".glb", ".x", ".fbx", ".md5mesh", ".md5anim", ".tga")
 
 
 @needs_data

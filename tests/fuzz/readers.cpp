@@ -1,4 +1,4 @@
-// Any bytes, read as OBJ, PLY, GLB, glTF, BVH and height maps: the readers give a scene or throw Error, and nothing else ever happens.
+// Any bytes, read as OBJ, PLY, OFF, STL, GLB, glTF, BVH and height maps: the readers give a scene or throw Error, and nothing else ever happens.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -18,8 +18,8 @@ const std::string& fileOf(size_t format)
 {
     static const std::string base =
         (std::filesystem::is_directory("/dev/shm") ? "/dev/shm" : "/tmp") + std::string("/meshwright-fuzz-") + std::to_string(getpid());
-    static const std::string files[] = {base + ".obj", base + ".ply", base + ".glb", base + ".gltf",
-                                        base + ".bvh", base + ".png", base + ".tga", base + ".pgm"};
+    static const std::string files[] = {base + ".obj", base + ".ply", base + ".glb", base + ".gltf", base + ".bvh",
+                                        base + ".png", base + ".tga", base + ".pgm", base + ".off",  base + ".stl"};
     static const bool cleaning = [] {
         return std::atexit([] {
                    for (const std::string& f : files) std::remove(f.c_str());
@@ -32,8 +32,20 @@ const std::string& fileOf(size_t format)
 /// What was read is written and read again: as much comes back.
 void writeBack(const mw::Imported& in)
 {
-    if (in.scene.meshes().size() != 1 || !in.format.starts_with("PLY")) return;
+    if (in.scene.meshes().size() != 1) return;
     const mw::Mesh& mesh = in.scene.find(in.scene.meshes()[0])->base;
+    // Fewer things fit into these two, but what they write they must read.
+    const bool off = in.format.find("OFF") != in.format.npos, stl = in.format.starts_with("STL") && !mesh.triangulation().faces.empty();
+    if (off || stl)
+        for (const bool binary : {false, true}) {
+            mw::writeFile(in.scene, fileOf(off ? 8 : 9), {.binary = binary});
+            const mw::Imported back = mw::readFile(fileOf(off ? 8 : 9));
+            const mw::Mesh& again = back.scene.find(back.scene.meshes()[0])->base;
+            if (off ? again.vertexCount() != mesh.vertexCount() || again.cornerCount() != mesh.cornerCount()
+                    : again.faceCount() != mesh.triangulation().faces.size())
+                std::abort();
+        }
+    if (!in.format.starts_with("PLY")) return;
     mw::writeFile(in.scene, fileOf(1));
     const mw::Imported back = mw::readFile(fileOf(1));
     const mw::Mesh& again = back.scene.find(back.scene.meshes()[0])->base;
@@ -63,8 +75,9 @@ void play(const mw::Scene& scene)
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
     if (size == 0) return -1;
-    // The first byte chooses the format ('0' OBJ, '1' PLY, '2' GLB, '3' glTF, '4' BVH, '5' PNG, '6' TGA, '7' PGM), so that one corpus serves all.
-    const std::string& name = fileOf(bytes[0] & 7);
+    // The first byte chooses the format ('0' OBJ, '1' PLY, '2' GLB, '3' glTF, '4' BVH, '5' PNG, '6' TGA, '7' PGM, '8' OFF, '9' STL), so that one
+    // corpus serves all.
+    const std::string& name = fileOf(uint8_t(bytes[0] - '0') % 10);
     if (FILE* f = std::fopen(name.c_str(), "wb")) {
         std::fwrite(bytes + 1, 1, size - 1, f);
         std::fclose(f);

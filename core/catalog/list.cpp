@@ -14,6 +14,7 @@
 #include "core/repair/normalise.h"
 #include "core/repair/orient.h"
 #include "core/repair/repair.h"
+#include "core/repair/select_elements.h"
 #include "core/repair/self_intersections.h"
 #include "core/repair/smooth.h"
 #include "core/repair/weld.h"
@@ -158,6 +159,13 @@ std::span<const Operation> catalog()
                                                .category = "Query",
                                                .source = "core/repair/self_intersections.cpp"},
                                               selfIntersections),
+        entry<Mesh, SelectElements, ElementSet>({.id = "select",
+                                                 .title = "Select",
+                                                 .section = "2.3",
+                                                 .summary = "Vertices, edges or faces by what they have in common: border, component, defect, valence, bend.",
+                                                 .category = "Query",
+                                                 .source = "core/repair/select_elements.cpp"},
+                                                selectElements),
         entry<Mesh, Stripify, Table>({.id = "stripify",
                                       .title = "Triangle strips",
                                       .section = "2.1",

@@ -168,21 +168,62 @@ ParameterValues checked(const std::vector<Parameter>& parameters, const Paramete
     return out;
 }
 
+namespace {
+
+// The text between double quotes at the front of `text`, which loses it and what follows up to the next comma.
+std::string takeQuoted(std::string_view& text)
+{
+    std::string out;
+    size_t i = 1;
+    for (; i < text.size() && text[i] != '"'; ++i) {
+        if (text[i] == '\\' && i + 1 < text.size()) ++i;
+        out += text[i];
+    }
+    if (i >= text.size()) throw Error("a value begins with \" and does not end with it");
+    if (i + 1 < text.size() && text[i + 1] != ',') throw Error("a comma is wanted after the value \"" + out.substr(0, 64) + "\"");
+    text.remove_prefix(std::min(text.size(), i + 2));
+    return out;
+}
+
+std::string_view takePlain(std::string_view& text)
+{
+    const size_t comma = text.find(',');
+    const std::string_view item = text.substr(0, comma);
+    text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
+    return item;
+}
+
+// As parsed() reads it back: between quotes where it must be.
+std::string quoted(const std::string& text)
+{
+    if (text.find(',') == std::string::npos && !text.starts_with('"')) return text;
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    return out + '"';
+}
+
+}  // namespace
+
 ParameterValues parsed(const std::vector<Parameter>& parameters, std::string_view text)
 {
     ParameterValues out;
     std::string* words = nullptr;  // the text that came last: a text may have commas of its own
     while (!text.empty()) {
-        const size_t comma = text.find(',');
-        const std::string_view item = text.substr(0, comma);
-        text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
+        const size_t equals = text.find('='), comma = text.find(',');
+        if (equals < comma && text.substr(equals + 1).starts_with('"')) {
+            const Parameter& p = named(parameters, text.substr(0, equals));
+            text.remove_prefix(equals + 1);
+            if (!out.emplace(p.name, readValue(p, takeQuoted(text))).second) throw Error("parameter " + p.name + " is given twice");
+            words = nullptr;
+            continue;
+        }
+        const std::string_view item = takePlain(text);
         if (item.empty()) continue;
-        const size_t equals = item.find('=');
-        if (equals == std::string_view::npos && words) {
+        if (equals >= comma && words) {
             *words += "," + std::string(item);
             continue;
         }
-        if (equals == std::string_view::npos) throw Error("parameter \"" + std::string(item) + "\" has no value: write name=value");
+        if (item.find('=') == std::string_view::npos) throw Error("parameter \"" + std::string(item) + "\" has no value: write name=value");
         const Parameter& p = named(parameters, item.substr(0, equals));
         const auto [value, first] = out.emplace(p.name, readValue(p, item.substr(equals + 1)));
         if (!first) throw Error("parameter " + p.name + " is given twice");
@@ -197,8 +238,16 @@ std::string printed(const std::vector<Parameter>& parameters, const ParameterVal
     for (const Parameter& p : parameters) {
         const ParameterValue v = valueOf(p, values);
         if (v == p.initial) continue;
-        out += (out.empty() ? "" : ",") + p.name + "=" + plain(v);
+        out += (out.empty() ? "" : ",") + p.name + "=" + quoted(plain(v));
     }
+    return out;
+}
+
+ParameterValues unlikeDefaults(const std::vector<Parameter>& parameters, const ParameterValues& values)
+{
+    ParameterValues out;
+    for (const auto& [name, value] : checked(parameters, values))
+        if (value != named(parameters, name).initial) out.emplace(name, value);
     return out;
 }
 

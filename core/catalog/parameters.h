@@ -52,10 +52,13 @@ using ParameterValues = std::map<std::string, ParameterValue, std::less<>>;
 
 /// Throws Error naming the parameter, its range or choices, and what was given. Converts integers to numbers and the like.
 ParameterValues checked(const std::vector<Parameter>& parameters, const ParameterValues& given);
-/// From "k=v,k=v" of the command line (numbers with '.', points as x/y/z, flags as true or false). Throws Error.
+/// From "k=v,k=v" of the command line (numbers with '.', points as x/y/z, flags as true or false). A value may stand between double quotes,
+/// in which \" and \\ are a quote and a backslash: with="faces=100,method=\"a, b\"". Throws Error.
 ParameterValues parsed(const std::vector<Parameter>& parameters, std::string_view text);
-/// The inverse of parsed(): only what differs from the defaults.
+/// The inverse of parsed(): only what differs from the defaults, quoted where it must be.
 std::string printed(const std::vector<Parameter>& parameters, const ParameterValues& values);
+/// Checked, and without those that have their defaults: equal settings are equal values.
+ParameterValues unlikeDefaults(const std::vector<Parameter>& parameters, const ParameterValues& values);
 nlohmann::json toJson(const ParameterValues& values);
 ParameterValues parametersFromJson(const std::vector<Parameter>& parameters, const nlohmann::json& json);
 ParameterValue valueOf(const Parameter& p, const ParameterValues& values);

@@ -64,6 +64,31 @@ TEST(Parameters, TextFillsTheStructAndComesBack)
     EXPECT_EQ(filled<Example>(parsed(parameters, "iterations=1e2")).iterations, 100);
 }
 
+struct Words {
+    std::string with, name;
+    template <class V>
+    void describe(V& v)
+    {
+        v.text("with", with, {});
+        v.object("name", name, {});
+    }
+};
+
+TEST(Parameters, QuotedValuesHoldAnythingAndComeBack)
+{
+    const auto words = described<Words>();
+    for (const char* text : {"a,b=c", "\"", "\\", "a\"b,", "x=1,y=\"a,b\"", ",,", "\n,", "a=1"})
+        for (const char* name : {"plain", "with, comma"}) {
+            const ParameterValues v{{"with", std::string(text)}, {"name", std::string(name)}};
+            EXPECT_EQ(parsed(words, printed(words, v)), v) << printed(words, v);
+        }
+    EXPECT_EQ(printed(words, {{"with", std::string("faces=10,stop=\"a\"")}}), R"(with="faces=10,stop=\"a\"")");
+    EXPECT_THROW(parsed(words, R"(with="a)"), Error);
+    EXPECT_THROW(parsed(words, R"(with="a"b)"), Error);
+    EXPECT_THROW(parsed(words, R"(with="a",with="b")"), Error);
+    EXPECT_EQ(unlikeDefaults(parameters, parsed(parameters, "iterations=10,lambda=0.25")), parsed(parameters, "lambda=0.25"));
+}
+
 TEST(Parameters, WildValuesAreRefusedWithTheReason)
 {
     EXPECT_EQ(refusal("lambda=2"), "parameter lambda=2: must be 0 to 1");

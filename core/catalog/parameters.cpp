@@ -243,6 +243,14 @@ std::string printed(const std::vector<Parameter>& parameters, const ParameterVal
     return out;
 }
 
+std::string printedAll(const std::vector<Parameter>& parameters, const ParameterValues& values)
+{
+    std::string out;
+    for (const Parameter& p : parameters)
+        if (const auto v = values.find(p.name); v != values.end()) out += (out.empty() ? "" : ",") + p.name + "=" + quoted(plain(v->second));
+    return out;
+}
+
 ParameterValues unlikeDefaults(const std::vector<Parameter>& parameters, const ParameterValues& values)
 {
     ParameterValues out;

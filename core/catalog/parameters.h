@@ -57,6 +57,8 @@ ParameterValues checked(const std::vector<Parameter>& parameters, const Paramete
 ParameterValues parsed(const std::vector<Parameter>& parameters, std::string_view text);
 /// The inverse of parsed(): only what differs from the defaults, quoted where it must be.
 std::string printed(const std::vector<Parameter>& parameters, const ParameterValues& values);
+/// The same with all that `values` has.
+std::string printedAll(const std::vector<Parameter>& parameters, const ParameterValues& values);
 /// Checked, and without those that have their defaults: equal settings are equal values.
 ParameterValues unlikeDefaults(const std::vector<Parameter>& parameters, const ParameterValues& values);
 nlohmann::json toJson(const ParameterValues& values);

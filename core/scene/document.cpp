@@ -50,6 +50,31 @@ Change changeBetween(const Scene& before, const Scene& after)
     return change;
 }
 
+// Calls f(address, bytes) for every array that a scene holds; several times for one that is shared.
+void forArrays(const Scene& s, const std::function<void(const void*, size_t)>& f)
+{
+    const auto tell = [&](const auto& array) {
+        if (array.id()) f(array.id(), array.bytes());
+    };
+    for (MeshId id : s.meshes()) {
+        const Mesh& m = s.find(id)->base;
+        tell(m.positions());
+        tell(m.cornerVertex());
+        tell(m.faceStart());
+        tell(m.lines());
+        for (const Attribute& a : m.attributes()) tell(a);
+    }
+    for (ClipId id : s.clips())
+        for (const auto& channel : s.find(id)->channels) tell(channel->values);
+    for (ImageId id : s.images())
+        if (const auto& bytes = s.find(id)->bytes) f(bytes.get(), bytes->size());
+    for (TerrainId id : s.terrains()) {
+        const HeightMap& map = s.find(id)->terrain.map;
+        for (uint32_t y = 0; y < map.tilesY(); ++y)
+            for (uint32_t x = 0; x < map.tilesX(); ++x) tell(map.tile(x, y));
+    }
+}
+
 // A selection without what is no longer there; elements are dropped when their mesh has changed.
 Selection valid(const Selection& s, const Scene& before, const Scene& after)
 {
@@ -71,6 +96,7 @@ Selection valid(const Selection& s, const Scene& before, const Scene& after)
 Document::Document() : scene_(std::make_shared<const Scene>())
 {
     history_.push_back({"New scene", scene_, {}, std::chrono::system_clock::now()});
+    source_ = Source{std::string(1, '-'), {}};
 }
 
 void Document::commit(std::string name, Scene next, std::vector<EditCall> calls)
@@ -82,51 +108,54 @@ void Document::commit(std::string name, Scene next, std::vector<EditCall> calls)
 void Document::commit(std::string name, Scene next, Selection selection, std::vector<EditCall> calls)
 {
     if (savedPosition_ != never && savedPosition_ > position_) savedPosition_ = never;  // the saved state is being cut off
+    for (size_t i = position_ + 1; i < history_.size(); ++i) count(*history_[i].scene, -1);
     history_.resize(position_ + 1);
     auto scene = std::make_shared<const Scene>(std::move(next));
+    count(*scene, 1);
     history_.push_back({std::move(name), scene, selection, std::chrono::system_clock::now(), std::move(calls)});
     ++position_;
-    boundHistory();
+    dropOldest();
     previewing_ = false;
     show(std::move(scene), selection, Aspect::History);
 }
 
+void Document::boundHistory(size_t bytes)
+{
+    historyBytes_ = bytes;
+    dropOldest();
+}
+
 // Forgets the oldest entries while those before the present hold too much; what the present shares with them costs nothing.
-void Document::boundHistory()
+void Document::dropOldest()
 {
     while (position_ > 1 && historyOnlyBytes() > historyBytes_) {
+        count(*history_.front().scene, -1);
+        forgotten_.push_back(std::move(history_.front()));
+        forgotten_.back().scene.reset();
         history_.erase(history_.begin());
         --position_;
         savedPosition_ = savedPosition_ == never || savedPosition_ == 0 ? never : savedPosition_ - 1;
     }
 }
 
+void Document::count(const Scene& scene, int by)
+{
+    forArrays(scene, [&](const void* key, size_t bytes) {
+        const auto i = held_.try_emplace(key, 0, bytes).first;
+        if (i->second.first == 0) heldBytes_ += bytes;
+        i->second.first += size_t(by);
+        if (i->second.first > 0) return;
+        heldBytes_ -= bytes;
+        held_.erase(i);
+    });
+}
+
 size_t Document::historyOnlyBytes() const
 {
     std::set<const void*> seen;
-    const auto size = [&](const Scene& s) {
-        size_t bytes = 0;
-        const auto count = [&](const void* key, size_t n) { bytes += key && seen.insert(key).second ? n : 0; };
-        for (MeshId id : s.meshes()) {
-            const Mesh& m = s.find(id)->base;
-            count(m.positions().id(), m.positions().bytes());
-            count(m.cornerVertex().id(), m.cornerVertex().bytes());
-            count(m.faceStart().id(), m.faceStart().bytes());
-            for (const Attribute& a : m.attributes()) count(a.id(), a.bytes());
-        }
-        for (ClipId id : s.clips())
-            for (const auto& channel : s.find(id)->channels) count(channel->values.id(), channel->values.bytes());
-        for (TerrainId id : s.terrains()) {
-            const HeightMap& map = s.find(id)->terrain.map;
-            for (uint32_t y = 0; y < map.tilesY(); ++y)
-                for (uint32_t x = 0; x < map.tilesX(); ++x) count(map.tile(x, y).id(), map.tile(x, y).bytes());
-        }
-        return bytes;
-    };
-    size(*history_[position_].scene);
-    size_t total = 0;
-    for (const Entry& e : history_) total += size(*e.scene);
-    return total;
+    size_t present = 0;
+    forArrays(*history_[position_].scene, [&](const void* key, size_t bytes) { present += seen.insert(key).second ? bytes : 0; });
+    return heldBytes_ - present;
 }
 
 void Document::preview(Scene next)
@@ -177,9 +206,14 @@ std::string Document::redoName() const
     return canRedo() ? history_[position_ + 1].name : std::string();
 }
 
-void Document::open(Scene scene, std::filesystem::path file, std::string historyName)
+void Document::open(Scene scene, std::filesystem::path file, std::string historyName, Source source)
 {
     history_.clear();
+    forgotten_.clear();
+    held_.clear();
+    heldBytes_ = sourceEntry_ = 0;
+    source_ = std::move(source);
+    if (source_.input.empty()) source_.input = file.string();
     evaluations_.clear();
     position_ = savedPosition_ = 0;
     previewing_ = false;
@@ -192,6 +226,7 @@ void Document::open(Scene scene, std::filesystem::path file, std::string history
             break;
         }
     history_.push_back({std::move(historyName), next, first, std::chrono::system_clock::now()});
+    count(*next, 1);
     scene_ = std::move(next);
     selection_ = first;
     notify({Aspect::All, {}});
@@ -206,6 +241,10 @@ void Document::saved(std::filesystem::path file)
 {
     file_ = std::move(file);
     savedPosition_ = position_;
+    if (file_.string() == source_.input) {  // what was read is there no more
+        source_ = {file_.string(), {}};
+        sourceEntry_ = forgotten_.size() + position_;
+    }
     notify({Aspect::File | Aspect::History, {}});
 }
 

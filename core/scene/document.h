@@ -59,6 +59,12 @@ struct Change {
     std::set<NodeId> nodes;  ///< those concerned; empty: ask the scene
 };
 
+/// What a document was opened from, as the words of a command line.
+struct Source {
+    std::string input;                      ///< a file, "sample:NAME", "-": an empty scene; empty: a shell cannot make it
+    std::vector<std::string> options = {};  ///< how it was read: {"--up", "z"}
+};
+
 class Document {
 public:
     Document();
@@ -93,8 +99,14 @@ public:
     std::string undoName() const;  ///< of the edit that undo takes back
     std::string redoName() const;
 
-    /// A new document: history begins anew with this scene.
-    void open(Scene scene, std::filesystem::path file, std::string historyName);
+    /// What history may hold beyond the present, bytes; the oldest entries go first. Their calls stay.
+    void boundHistory(size_t bytes);
+    const std::vector<Entry>& forgotten() const { return forgotten_; }  ///< without scenes, oldest first
+
+    /// A new document: history begins anew with this scene. `source` is the file when nothing else is said.
+    void open(Scene scene, std::filesystem::path file, std::string historyName, Source source = {});
+    const Source& source() const { return source_; }
+    size_t sourceEntry() const { return sourceEntry_; }  ///< number of the entry that source() gives, forgotten ones counted
     const std::filesystem::path& file() const { return file_; }
     bool modified() const;
     void saved(std::filesystem::path file);  ///< marks the present state as the one on disk
@@ -112,14 +124,19 @@ public:
 private:
     void notify(const Change& change);
     void show(std::shared_ptr<const Scene> next, const Selection& selection, Aspect also);
-    void boundHistory();
+    void dropOldest();
+    void count(const Scene& scene, int by);
     size_t historyOnlyBytes() const;
 
     static constexpr size_t never = ~size_t(0);  // of savedPosition_: the state on disk is in no entry
 
     std::shared_ptr<const Scene> scene_;
     Selection selection_;
-    std::vector<Entry> history_;
+    std::vector<Entry> history_, forgotten_;
+    std::map<const void*, std::pair<size_t, size_t>> held_;  // arrays of all entries: how many entries have it, its bytes
+    size_t heldBytes_ = 0;
+    Source source_;
+    size_t sourceEntry_ = 0;
     size_t position_ = 0, savedPosition_ = 0;
     bool previewing_ = false;
     size_t historyBytes_ = size_t(2) << 30;  // bound on what only history holds

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "core/scene/edit_entries.h"
+#include "core/scene/same_scene.h"
 
 namespace mw {
 namespace {
@@ -44,7 +45,12 @@ NodeId find(const Scene& scene, std::string_view text)
 
 std::span<const Edit> editList()
 {
-    static const std::vector<Edit> all = nodeEdits();
+    static const std::vector<Edit> all = [] {
+        std::vector<Edit> list;
+        for (auto edits : {sceneEdits, fileEdits, nodeEdits, meshEdits, stackEdits, materialEdits, terrainEdits, clipEdits})
+            for (Edit& e : edits()) list.push_back(std::move(e));
+        return list;
+    }();
     return all;
 }
 
@@ -79,16 +85,31 @@ Scene edited(const Scene& scene, const EditCall& call)
 
 void commitEdit(Document& document, const EditCall& call)
 {
-    const Edit& e = editOf(call.id);
-    const Scene& before = *document.history()[document.historyPosition()].scene;  // not a preview
+    const auto before = document.history()[document.historyPosition()].scene;  // not a preview
     EditRun run;
-    Scene next = edited(before, call, run);
-    if (run.made.empty() && contentHash(next) == contentHash(before)) return document.cancelPreview();
-    std::string name = e.name(before, checked(e.parameters, call.values));
+    Scene next = edited(*before, call, run);
+    commitEdited(document, call, *before, std::move(next), run);
+}
+
+bool commitEdited(Document& document, const EditCall& call, const Scene& before, Scene next, const EditRun& run)
+{
+    if (document.history()[document.historyPosition()].scene.get() != &before) return false;
+    if (sameScene(next, before)) {
+        document.cancelPreview();
+        return true;
+    }
+    std::string name = editName(before, call);
     if (run.made.empty())
         document.commit(std::move(name), std::move(next), std::vector{call});
     else
         document.commit(std::move(name), std::move(next), Selection{run.made, {}, {}}, {call});
+    return true;
+}
+
+std::string editName(const Scene& before, const EditCall& call)
+{
+    const Edit& e = editOf(call.id);
+    return e.name(before, checked(e.parameters, call.values));
 }
 
 std::string commandText(const EditCall& call)
@@ -129,11 +150,6 @@ NodeId nodeOf(const Scene& scene, std::string_view text)
     const std::vector<NodeId> nodes = nodesOf(scene, text);
     if (nodes.size() != 1) throw Error("one node is wanted, " + std::to_string(nodes.size()) + " are named");
     return nodes.front();
-}
-
-std::string spoken(const Scene& scene, const std::vector<NodeId>& nodes)
-{
-    return nodes.size() == 1 ? scene.node(nodes.front()).name : std::to_string(nodes.size()) + " nodes";
 }
 
 }  // namespace mw

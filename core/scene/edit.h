@@ -15,6 +15,7 @@ struct EditRun {
     Progress* progress = nullptr;
     Evaluator* evaluator = nullptr;  ///< may know results of the stacks already; null: they are computed
     std::vector<NodeId> made = {};   ///< told: to be selected afterwards; empty: the selection stays
+    std::vector<ClipId> clips = {};  ///< told: motions that came
     std::vector<Warning> warnings = {};
 };
 
@@ -25,6 +26,7 @@ struct Edit {
     std::function<void(Scene&, const ParameterValues&, EditRun&)> apply = {};
     /// Of the history entry, object first: "bunny: hide". Of the scene before the edit.
     std::function<std::string(const Scene&, const ParameterValues&)> name = {};
+    bool heavy = false;  ///< may take long: the window runs it as a job
 };
 
 /// All edits, in the order of the printed reference.
@@ -37,6 +39,10 @@ Scene edited(const Scene& scene, const EditCall& call, EditRun& run);
 Scene edited(const Scene& scene, const EditCall& call);
 /// Runs and commits one edit: one history entry that knows its command line. Nothing when the scene would stay as it is.
 void commitEdit(Document& document, const EditCall& call);
+/// Commits an edit that was run elsewhere, on `before`, which must be the present entry's scene still; false when it is not.
+bool commitEdited(Document& document, const EditCall& call, const Scene& before, Scene next, const EditRun& run);
+/// What the history entry of an edit is called.
+std::string editName(const Scene& before, const EditCall& call);
 
 /// "transform:node=bunny,position=0/1/0", and back. Throws Error.
 std::string commandText(const EditCall& call);

@@ -97,7 +97,7 @@ const std::vector<FileFormat>& fileFormats()
         {"glTF 2.0", {".glb", ".gltf"}, true, true},
         {"Wavefront OBJ", {".obj"}, true, true},
         {"Stanford PLY", {".ply"}, true, true},
-        {"Object file format OFF", {".off"}, true, true},
+        {"Geomview OFF", {".off"}, true, true},
         {"STL", {".stl"}, true, true},
         {"Biovision BVH", {".bvh"}, true, true},
         {"Height map PNG", {".png"}, true, true},
@@ -229,6 +229,17 @@ Imported readFile(const fs::path& file, Progress* progress, const ImportOptions&
     return in;
 }
 
+namespace {
+
+/// For formats whose numbers mean one thing only.
+std::vector<Warning> withFixedPlacement(std::vector<Warning> warnings, const Placement& asked, const char* fixed)
+{
+    if (asked != Placement{}) warnings.push_back({"placement-fixed", std::string(fixed) + ": the unit and axis asked for are not used", {}});
+    return warnings;
+}
+
+}  // namespace
+
 std::vector<Warning> writeFile(const Scene& scene, const fs::path& file, const WriteOptions& options, Progress* progress)
 {
     if (!(options.placement.metresPerUnit >= 1e-12 && options.placement.metresPerUnit <= 1e12))
@@ -239,9 +250,9 @@ std::vector<Warning> writeFile(const Scene& scene, const fs::path& file, const W
         case Type::Ply:
             return writePly(withTerrainMeshes(scene, options.terrainTriangles, progress), file, options, progress);
         case Type::Gltf:
-            return writeGltf(scene, file, options, progress);
+            return withFixedPlacement(writeGltf(scene, file, options, progress), options.placement, "glTF is always in metres with +Y up");
         case Type::Bvh:
-            return writeBvh(scene, file, progress);
+            return withFixedPlacement(writeBvh(scene, file, progress), options.placement, "BVH is written in metres with +Y up");
         case Type::HeightPicture:
             if (ending(file) == ".png") return writeHeightPicture(scene, file, progress);
             break;

@@ -47,6 +47,7 @@ class Units(Case):
             self.ok("convert", plain, self.folder / name, "--unit", "mm", "--up", "z", "--out-unit", "0.5", "--out-up", "x")
             bounds = self.mesh(self.folder / name)["bounds"]
             self.assertEqual((bounds["min"], bounds["max"]), ([0, -2, 0], [1, 0, 0]), name)
+        self.assertIn("always in metres", self.ok("convert", plain, self.folder / "b.glb", "--out-unit", "mm").err)
         # The same way in and out changes no number.
         self.ok("convert", plain, self.folder / "c.obj", "--unit", "mm", "--up", "z", "--out-unit", "mm", "--out-up", "z")
         self.assertEqual([l for l in (self.folder / "c.obj").read_text().splitlines() if l[0] != "#"], self.TRIANGLE.split("\n")[:-1])

@@ -30,24 +30,38 @@ bool Arguments::flag(std::string_view name, std::string_view shortName)
     return std::erase_if(words_, [&](const Word& w) { return !w.literal && (w.text == name || (!shortName.empty() && w.text == shortName)); }) > 0;
 }
 
-std::vector<std::string> Arguments::values(std::string_view name, std::string_view shortName)
+std::vector<std::pair<std::string, std::string>> Arguments::inOrder(std::span<const std::string_view> names)
 {
-    std::vector<std::string> found;
-    const std::string joined = std::string(name) + "=";
-    for (size_t i = 0; i < words_.size();) {
-        const std::string& w = words_[i].text;
-        if (!words_[i].literal && w.starts_with(joined)) {
-            found.push_back(w.substr(joined.size()));
-            words_.erase(words_.begin() + long(i));
-        } else if (!words_[i].literal && (w == name || (!shortName.empty() && w == shortName))) {
+    std::vector<std::pair<std::string, std::string>> found;
+    const auto take = [&](size_t i) -> size_t {  // words that the option at i takes; 0: it is none
+        const std::string w = words_[i].text;
+        for (const std::string_view name : names) {
+            if (words_[i].literal || name.empty() || !w.starts_with(name)) continue;
+            if (name.starts_with("--") && w.size() > name.size() && w[name.size()] == '=') {
+                found.emplace_back(name, w.substr(name.size() + 1));
+                return 1;
+            }
+            if (w != name) continue;
             // A number may start with a minus sign; another option's name may not stand here.
             if (i + 1 >= words_.size() || words_[i + 1].literal || words_[i + 1].text.starts_with("--")) throw UsageError(w + " wants a value");
-            found.push_back(words_[i + 1].text);
-            words_.erase(words_.begin() + long(i), words_.begin() + long(i) + 2);
-        } else {
-            ++i;
+            found.emplace_back(name, words_[i + 1].text);
+            return 2;
         }
+        return 0;
+    };
+    for (size_t i = 0; i < words_.size();) {
+        const size_t taken = take(i);
+        words_.erase(words_.begin() + long(i), words_.begin() + long(i + taken));
+        i += taken == 0;
     }
+    return found;
+}
+
+std::vector<std::string> Arguments::values(std::string_view name, std::string_view shortName)
+{
+    const std::string_view names[] = {name, shortName};
+    std::vector<std::string> found;
+    for (auto& option : inOrder(names)) found.push_back(std::move(option.second));
     return found;
 }
 

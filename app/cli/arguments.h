@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace mw::cli {
@@ -25,6 +26,8 @@ public:
     std::optional<std::string> value(std::string_view name, std::string_view shortName = {});
     /// All values of an option that may be repeated, in order.
     std::vector<std::string> values(std::string_view name, std::string_view shortName = {});
+    /// All values of options that may be repeated, in the order of the command line: name and value.
+    std::vector<std::pair<std::string, std::string>> inOrder(std::span<const std::string_view> names);
     /// A whole number within a range.
     std::optional<long> number(std::string_view name, long min, long max);
 

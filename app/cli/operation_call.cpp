@@ -1,5 +1,6 @@
 #include "app/cli/operation_call.h"
 
+#include "app/cli/foretell.h"
 #include "app/cli/output.h"
 #include "core/io/io.h"
 #include "core/scene/evaluation.h"
@@ -38,12 +39,34 @@ Input readInput(const std::string& in, const OperationCall& first, Progress* pro
 Mesh evaluated(const MeshObject& object, Progress* progress, Evaluator* evaluator)
 {
     if (object.stack.empty()) return object.base;
+    foretell(object);
     const Evaluation e = evaluator ? evaluator->evaluate(object, progress) : Evaluator().evaluate(object, progress);
     for (size_t i = 0; i < e.levels.size(); ++i)
         if (!e.levels[i].error.empty())
             throw Error("object \"" + object.name + "\", modifier " + std::to_string(i + 1) + " (" + object.stack[i].operation +
                         "): " + e.levels[i].error);
     return e.result();
+}
+
+MeshObject processed(MeshObject object, std::span<const OperationCall> calls, Scene& scene, bool project, Working& working)
+{
+    if (project) {
+        for (const OperationCall& call : calls) object.stack.push_back({scene.newModifierId(), call.operation->id, call.values, true});
+        return object;
+    }
+    Mesh mesh = evaluated(object, working.progress());
+    for (const OperationCall& call : calls) {
+        working.now(call.operation->id);
+        foretell(*call.operation, mesh, call.values);
+        try {
+            mesh = std::get<Mesh>(apply(*call.operation, mesh, call.values, working.progress()));
+        } catch (const Error& e) {
+            throw Error("object \"" + object.name + "\": " + call.operation->id + ": " + e.reason());
+        }
+    }
+    object.base = mesh;
+    object.stack.clear();
+    return object;
 }
 
 }  // namespace mw::cli

@@ -1,8 +1,10 @@
 // "ID[:k=v,...]" as the command line says an operation.
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "app/cli/output.h"
 #include "core/catalog/catalog.h"
 #include "core/io/io.h"
 #include "core/scene/evaluation.h"
@@ -30,5 +32,9 @@ Input readInput(const std::string& in, const OperationCall& first, Progress* pro
 
 /// What a mesh object shows: its stack evaluated, by `evaluator` if given. Throws Error naming the modifier that could not run.
 Mesh evaluated(const MeshObject& object, Progress* progress, Evaluator* evaluator = nullptr);
+
+/// The mesh operations in turn on one object: its mesh after them; with `project` they become modifiers of its stack instead. Throws Error
+/// naming object and operation.
+MeshObject processed(MeshObject object, std::span<const OperationCall> calls, Scene& scene, bool project, Working& working);
 
 }  // namespace mw::cli

@@ -7,6 +7,7 @@
 #include "app/cli/operation_call.h"
 #include "app/cli/output.h"
 #include "app/cli/placement_options.h"
+#include "app/cli/process_edits.h"
 #include "app/cli/subject.h"
 #include "app/cli/table_file.h"
 #include "app/cli/value_file.h"
@@ -48,27 +49,6 @@ void check(const Job& job)
         kind = op.yields;
     }
     checkValueFile(kind, job.out);
-}
-
-// The mesh operations on one object: its mesh after them; with `project` they become modifiers of its stack instead.
-MeshObject processed(MeshObject object, std::span<const OperationCall> calls, Scene& scene, bool project, Working& working)
-{
-    if (project) {
-        for (const OperationCall& call : calls) object.stack.push_back({scene.newModifierId(), call.operation->id, call.values, true});
-        return object;
-    }
-    Mesh mesh = evaluated(object, working.progress());
-    for (const OperationCall& call : calls) {
-        working.now(call.operation->id);
-        try {
-            mesh = std::get<Mesh>(apply(*call.operation, mesh, call.values, working.progress()));
-        } catch (const Error& e) {
-            throw Error("object \"" + object.name + "\": " + call.operation->id + ": " + e.reason());
-        }
-    }
-    object.base = mesh;
-    object.stack.clear();
-    return object;
 }
 
 void say(const Job& job, const std::string& name, const Mesh& before, const Mesh& after)
@@ -150,7 +130,8 @@ int workOnValue(const Job& job)
 int run(Arguments& arguments)
 {
     Job job;
-    const std::vector<std::string> ops = arguments.values("--op");
+    const std::string_view names[] = {"--op", "--do"};
+    const auto steps = arguments.inOrder(names);
     const std::optional<std::string> out = arguments.value("--output", "-o");
     job.object = arguments.value("--object");
     job.project = arguments.flag("--project");
@@ -160,7 +141,9 @@ int run(Arguments& arguments)
     job.in = arguments.finish({"IN"})[0];
     if (!out || out->empty()) throw UsageError("-o OUT is missing");
     job.out = *out;
-    for (const std::string& op : ops) job.calls.push_back(parseCall(op));
+    if (std::any_of(steps.begin(), steps.end(), [](const auto& s) { return s.first == "--do"; }))
+        return processEdits({job.in, job.out, steps, job.project, job.ascii, job.import, job.placement});
+    for (const auto& step : steps) job.calls.push_back(parseCall(step.second));
     if (job.in != "-" && !job.calls.empty() && job.calls.front().operation->accepts == Kind::Nothing && firstKind(job) != Kind::Mesh)
         throw Error(job.in,
                     job.calls.front().operation->id + " makes a " + kindName(firstKind(job)) + " from nothing and takes no file; give - as input");
@@ -179,19 +162,22 @@ int run(Arguments& arguments)
 
 const Verb processVerb{
     "process", "operations in turn, the result into a file",
-    "process IN [--op ID[:k=v,...]]... -o OUT [--project] [--ascii] [--object NAME]\n        [--unit UNIT] [--up y|z|x] [--out-unit UNIT] [--out-up "
+    "process IN [--op ID[:k=v,...] | --do EDIT[:k=v,...]]... -o OUT [--project] [--ascii] [--object NAME]\n        [--unit UNIT] [--up y|z|x] [--out-unit UNIT] [--out-up "
     "y|z|x]\n\n"
     "Each operation works on every mesh of IN; hierarchy and materials stay. IN may be - when the first operation makes something from\n"
     "nothing. OUT is written by its ending (.glb .gltf .obj .off .ply .stl); an operation that gives a table comes last and goes to .csv or .json.\n"
     "Other kinds are one value: a skeleton of a character, a curve from .csv, a height map from .png. Height maps go to .png or as the mesh of\n"
     "a terrain to .glb; curves, poses and rotations to .json or .csv.\n"
     "The verb algorithms lists operations and parameters.\n"
+    "--do makes an edit of the scene, as the window does: nodes joined, copied, moved, modifiers, materials, terrains. Edits and operations run in\n"
+    "the order in which they are given; IN may then be - for an empty scene. The verb edits lists them.\n"
     "  --project   glTF: keep the operations as modifiers that can still be changed\n"
     "  --ascii     OFF, PLY, STL: as text\n"
     "  --unit UNIT, --up y|z|x            how the numbers of IN are meant; see meshwright convert --help\n"
     "  --out-unit UNIT, --out-up y|z|x    how those of OUT shall be meant\n"
     "  --object NAME   which skeleton, by its topmost joint, when the file has several\n\n"
     "  meshwright process scan.ply --op weld --op decimate-quadric:ratio=0.1 -o small.glb\n"
+    "  meshwright process scene.glb --do join:nodes=left+right --op weld -o joined.glb\n"
     "  meshwright process - --op icosphere --op vertex-valence -o valence.csv\n"
     "  meshwright process - --op sample-curve:shape=star --op subdivide-curve -o star.csv\n",
     run};

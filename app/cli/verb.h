@@ -18,7 +18,7 @@ struct Verb {
 
 // One a file of the same name.
 extern const Verb infoVerb, algorithmsVerb, processVerb, stepVerb, convertVerb, renderVerb, galleryVerb, lessonsVerb;
-extern const Verb ikVerb, poseVerb, terrainVerb;
+extern const Verb ikVerb, poseVerb, terrainVerb, editsVerb;
 
 /// All verbs, in the order of the overview.
 std::span<const Verb> verbs();

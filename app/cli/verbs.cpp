@@ -13,7 +13,7 @@ namespace mw::cli {
 std::span<const Verb> verbs()
 {
     static const std::vector<Verb> table{
-        infoVerb,   algorithmsVerb, processVerb, stepVerb,    convertVerb,
+        infoVerb,   algorithmsVerb, editsVerb,   processVerb, stepVerb, convertVerb,
 #ifdef MESHWRIGHT_HAS_RENDER
         renderVerb, galleryVerb,
 #endif

@@ -4,7 +4,7 @@ import subprocess
 
 from harness import PROGRAM, SANITIZED, Case, Ran, main
 
-VERBS = ["info", "algorithms", "process", "step", "convert", "lessons"] + ([] if SANITIZED else ["render", "gallery"])
+VERBS = ["info", "algorithms", "edits", "process", "step", "convert", "lessons"] + ([] if SANITIZED else ["render", "gallery"])
 
 
 class Usage(Case):
@@ -75,6 +75,18 @@ class Usage(Case):
         out = self.ok("algorithms").out
         for a in self.json("algorithms", "--json")["algorithms"]:
             self.assertIn(f"\n{a['id']} - ", out)
+
+    def test_edits(self):
+        edits = self.json("edits", "--json")["edits"]
+        ids = [e["id"] for e in edits]
+        self.assertEqual(len(ids), len(set(ids)))
+        for wanted in ("add", "import", "delete", "duplicate", "join", "separate", "modify", "transform", "stroke"):
+            self.assertIn(wanted, ids)
+        out = self.ok("edits").out
+        for e in edits:
+            self.assertIn(f"\n{e['id']} - {e['title']}\n", out)
+            for p in e["params"]:
+                self.assertTrue(p["help"], (e["id"], p["name"]))
 
     def test_lessons(self):
         lessons = self.json("lessons", "--json")["lessons"]

@@ -9,7 +9,7 @@
 namespace mw {
 namespace {
 
-enum Kind { boxKind, letterKind, strokeKind, barKind };
+enum Kind { boxKind, letterKind, strokeKind, barKind, quadKind };
 
 }  // namespace
 
@@ -21,6 +21,11 @@ void Canvas::box(glm::vec2 low, glm::vec2 high, glm::vec4 fill, float radius, fl
 void Canvas::disc(glm::vec2 centre, float radius, glm::vec4 fill, float borderWidth, glm::vec4 border)
 {
     box(centre - radius, centre + radius, fill, radius, borderWidth, border);
+}
+
+void Canvas::quad(const std::array<glm::vec2, 4>& p, glm::vec4 fill, float grow)
+{
+    items_.push_back({{p[0], p[1]}, fill, {}, {float(quadKind), grow, 0, 0}, {p[2], p[3]}});
 }
 
 void Canvas::stroke(glm::vec2 from, glm::vec2 to, float width, glm::vec4 color)

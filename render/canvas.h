@@ -1,5 +1,6 @@
 // Flat drawing in device pixels over the picture: boxes, strokes, letters, the colour bar. All of it is one draw, in the order it was put.
 #pragma once
+#include <array>
 #include <glm/glm.hpp>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,8 @@ public:
     /// Corners low and high, from the top left.
     void box(glm::vec2 low, glm::vec2 high, glm::vec4 fill, float radius = 0, float borderWidth = 0, glm::vec4 border = {});
     void disc(glm::vec2 centre, float radius, glm::vec4 fill, float borderWidth = 0, glm::vec4 border = {});
+    /// A convex one, grown by so many pixels.
+    void quad(const std::array<glm::vec2, 4>& corners, glm::vec4 fill, float grow);
     void stroke(glm::vec2 from, glm::vec2 to, float width, glm::vec4 color);
     /// Colours of a row of the heat table from `from` to `to` (0 to 1).
     void colorBar(glm::vec2 low, glm::vec2 high, int heatRow, float from = 0, float to = 1);

@@ -54,6 +54,6 @@ private:
 
 std::optional<Pick> pickAt(DrawContext& c, IdBuffer& ids, glm::dvec2 pixel);
 /// The faces of a rectangle, ascending, by node.
-std::vector<std::pair<NodeId, std::vector<uint32_t>>> facesIn(const SeenWindow& window);
+std::vector<std::pair<NodeId, std::vector<uint32_t>>> facesIn(const SeenWindow& window, const Region& region);
 
 }  // namespace mw

@@ -7,6 +7,7 @@ namespace mw {
 
 void drawLabels(const DrawContext& c, Canvas& canvas);
 void drawLegend(const DrawContext& c, Canvas& canvas);
+void drawFlats(const DrawContext& c, Canvas& canvas);  ///< handles of tools, over everything
 void drawMarker(const DrawContext& c, Canvas& canvas);
 
 /// Counts of a column's values over the range shown, for the legend; values outside are in the first and last bar.

@@ -216,14 +216,22 @@ std::optional<Pick> pickAt(DrawContext& c, IdBuffer& ids, glm::dvec2 pixel)
     return pick;
 }
 
-std::vector<std::pair<NodeId, std::vector<uint32_t>>> facesIn(const SeenWindow& window)
+std::vector<std::pair<NodeId, std::vector<uint32_t>>> facesIn(const SeenWindow& window, const Region& region)
 {
     std::map<uint32_t, std::vector<uint32_t>> byNode;
-    for (const SeenId& id : window.ids)
-        if (id.node && id.isTerrain())
-            byNode[id.node];  // seen, but of no faces
-        else if (id.node && !id.isPoint())
-            byNode[id.node].push_back(id.index());
+    SeenId last;  // neighbours are mostly of one face
+    size_t i = 0;
+    for (int y = window.low.y; y < window.high.y; ++y) {
+        for (int x = window.low.x; x < window.high.x; ++x, ++i) {
+            const SeenId id = window.ids[i];
+            if (id == last || id.node == 0 || !region.contains({x + 0.5, y + 0.5})) continue;
+            last = id;
+            if (id.isTerrain())
+                byNode[id.node];  // seen, but of no faces
+            else if (!id.isPoint())
+                byNode[id.node].push_back(id.index());
+        }
+    }
     std::vector<std::pair<NodeId, std::vector<uint32_t>>> out;
     for (auto& [node, faces] : byNode) {
         std::sort(faces.begin(), faces.end());

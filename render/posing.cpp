@@ -250,9 +250,7 @@ Shared<glm::vec3> Posing::places(const DrawObject& o)
         placed_.splice(placed_.begin(), placed_, i);
         return i->places;
     }
-    Mesh shape = o.mesh;
-    for (const std::string_view turned : {names::normal, names::tangent}) shape = shape.without(turned);
-    placed_.push_front({o.mesh.positions().owner(), o.mesh.positions().id(), *o.pose, posed(shape, *o.pose).positions()});
+    placed_.push_front({o.mesh.positions().owner(), o.mesh.positions().id(), *o.pose, posedPositions(o.mesh, *o.pose)});
     if (placed_.size() > keptPlaces) placed_.pop_back();
     return placed_.front().places;
 }

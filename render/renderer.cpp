@@ -95,6 +95,7 @@ void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
     drawLabels(c, impl_->canvas);
     drawLegend(c, impl_->canvas);
     drawMarker(c, impl_->canvas);
+    drawFlats(c, impl_->canvas);
     impl_->canvas.flush(c);
     impl_->counts = c.counts;
     impl_->counts.uploadedBytes = gpu.cache.uploadedBytes() + gpu.terrains.uploadedBytes();
@@ -110,12 +111,12 @@ std::optional<Pick> Renderer::pick(const Frame& frame, glm::ivec2 size, glm::dve
     return pickAt(c, impl_->ids, pixel);
 }
 
-std::vector<std::pair<NodeId, std::vector<uint32_t>>> Renderer::visibleFaces(const Frame& frame, glm::ivec2 size, glm::ivec2 low, glm::ivec2 high)
+std::vector<std::pair<NodeId, std::vector<uint32_t>>> Renderer::visibleFaces(const Frame& frame, glm::ivec2 size, const Region& region)
 {
     if (size.x < 1 || size.y < 1) return {};
     DrawContext c(impl_->gpu, frame, size);
     cleanState(impl_->gpu.vertexArray.id(), 0, size);
-    return facesIn(impl_->ids.read(c, glm::min(low, high), glm::max(low, high)));
+    return facesIn(impl_->ids.read(c, glm::min(region.low, region.high), glm::max(region.low, region.high)), region);
 }
 
 Renderer::Counts Renderer::counts() const

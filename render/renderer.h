@@ -96,6 +96,25 @@ struct MarkPoint {
     bool through = false;  ///< drawn through what hides it
 };
 
+/// Something flat over the picture, in logical pixels from the top left: handles of tools, a lasso, a number at the pointer.
+struct Flat {
+    enum class Kind { Line, Disc, Quad, Text } kind = Kind::Line;
+    std::vector<glm::vec2> at;  ///< line: its points; disc: centre; quad: four corners, convex; text: the middle of its left side
+    glm::vec4 color{1};         ///< sRGB
+    float width = 2;            ///< of the line; diameter of the disc
+    bool halo = true;           ///< dark, so that it shows on anything
+    std::string text = {};      ///< on a dark plate
+};
+
+/// A part of the picture, in device pixels from the top left; `high` is outside.
+struct Region {
+    glm::ivec2 low{0}, high{0};
+    std::vector<uint8_t> mask = {};  ///< row by row, not 0 inside; empty: the whole rectangle
+    bool contains(glm::dvec2 pixel) const;
+};
+/// What a closed line encloses (even-odd), cut to a picture of this size.
+Region polygonRegion(const std::vector<glm::dvec2>& corners, glm::ivec2 size);
+
 struct ViewOptions {
     Shading shading = Shading::Smooth;
     Theme theme = Theme::Dark;
@@ -121,6 +140,7 @@ struct Frame {
     std::vector<Mark> marks = {};
     std::vector<MarkPoint> points = {};
     std::vector<Label> labels = {};
+    std::vector<Flat> flats = {};
 };
 
 /// All visible nodes of a scene at a pose. `shown` gives the mesh to draw of each mesh object.
@@ -150,8 +170,8 @@ public:
     /// What is at a pixel (device pixels, origin top left) or, of vertices and edges, near it; tolerances as in ui/UI.md 3. Cheap while
     /// camera and objects stay as they are. Leaves another framebuffer bound.
     std::optional<Pick> pick(const Frame& frame, glm::ivec2 size, glm::dvec2 pixel);
-    /// All faces visible in a rectangle, by node; a terrain without faces.
-    std::vector<std::pair<NodeId, std::vector<uint32_t>>> visibleFaces(const Frame& frame, glm::ivec2 size, glm::ivec2 low, glm::ivec2 high);
+    /// All faces visible in a region, ascending, by node; a terrain without faces.
+    std::vector<std::pair<NodeId, std::vector<uint32_t>>> visibleFaces(const Frame& frame, glm::ivec2 size, const Region& region);
     /// Triangles and vertices sent by the last draw(), and bytes uploaded by it.
     struct Counts {
         size_t triangles = 0, vertices = 0, uploadedBytes = 0;

@@ -42,8 +42,8 @@ QAction* Actions::toggle(const QString& text, const QString& iconName, const QSt
     return a;
 }
 
-Actions::Actions(Session& session, FileCommands& files, Viewport& viewport, QWidget* window, QWidget* viewArea)
-    : s_(session), files_(files), viewport_(viewport), window_(window), viewArea_(viewArea)
+Actions::Actions(Session& session, FileCommands& files, ViewArea& area, QWidget* window, QWidget* viewArea)
+    : s_(session), files_(files), views_(area), window_(window), viewArea_(viewArea)
 {
     open = make("Open...", "open", "Ctrl+O", "Open a file in place of the scene", [this] { files_.openDialog(); });
     import = make("Import...", "plus", "Ctrl+Shift+O", "Add files to the scene", [this] { files_.importDialog();
@@ -99,6 +99,11 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     view->addAction(perspective);
     view->addSeparator();
     view->addActions(shadings);
+    auto* toolMenu = view->addMenu("Tool");
+    toolMenu->addActions(tools);
+    toolMenu->addSeparator();
+    toolMenu->addActions({localAxes, pivotCentre, copyMeasurement});
+    view->addMenu("Split")->addActions({oneView, split, fourViews, linkCameras, compareBase});
     auto* overlays = view->addMenu("Overlays");
     overlays->addActions({wireOverlay, xray, grid, normals, bones, orientation, legend});
     view->addSeparator();
@@ -141,6 +146,11 @@ QMenu* Actions::contextMenu(QWidget* parent) const
     m->addSeparator();
     m->addActions(pickKinds);
     m->addSeparator();
+    auto* tool = m->addMenu("Tool");
+    tool->addActions(tools);
+    tool->addSeparator();
+    tool->addActions({localAxes, pivotCentre, copyMeasurement});
+    m->addSeparator();
     m->addActions({rename, remove});
     return m;
 }
@@ -169,6 +179,12 @@ void Actions::refresh()
     for (QAction* a : terrainEdits) a->setEnabled(ground);
     for (const auto& [a, flag] : flags_) a->setChecked(s_.view.options.*flag);
     perspective->setChecked(s_.view.camera.perspective);
+    compareBase->setEnabled(mesh);
+    split->setChecked(s_.view.views() == 2);
+    linkCameras->setChecked(s_.view.linked);
+    linkCameras->setEnabled(s_.view.views() > 1);
+    localAxes->setChecked(s_.view.localAxes);
+    pivotCentre->setChecked(s_.view.pivotCentre);
     bones->setChecked(s_.view.showBones);
     pickKinds[int(s_.view.pickKind)]->setChecked(true);
     shadings[int(s_.view.options.shading)]->setChecked(true);

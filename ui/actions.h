@@ -11,10 +11,11 @@ class QMenu;
 namespace mw {
 
 class FileCommands;
+class ViewArea;
 class Viewport;
 
 struct Actions {
-    Actions(Session& session, FileCommands& files, Viewport& viewport, QWidget* window, QWidget* viewArea);
+    Actions(Session& session, FileCommands& files, ViewArea& area, QWidget* window, QWidget* viewArea);
 
     QAction *open, *import, *save, *saveAs, *exportAs, *quit;
     QAction *undo, *redo, *remove, *rename, *duplicate;
@@ -22,6 +23,7 @@ struct Actions {
     QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *bones, *picture, *resetCamera;
     QAction* reducedMotion;
     QList<QAction*> themes;
+    QAction *split, *fourViews, *oneView, *linkCameras, *compareBase, *localAxes, *pivotCentre, *copyMeasurement;
     QList<QAction*> pickKinds, shadings, views, tools, addModifiers, addSources, stepThroughs, terrainActions, terrainEdits;
     QMenu* recent = nullptr;
 
@@ -41,13 +43,16 @@ private:
     void makeEdit();
     void makeSelect();
     void makeView();
+    void makeTools();
+    void makeViews();
+    Viewport& viewport() const;  // the active one
     void makeCatalog();
     void makeTerrain();
     void fillRecent();
 
     Session& s_;
     FileCommands& files_;
-    Viewport& viewport_;
+    ViewArea& views_;
     QWidget *window_, *viewArea_;
     std::vector<std::pair<QAction*, bool ViewOptions::*>> flags_;
 };

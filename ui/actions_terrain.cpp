@@ -36,8 +36,7 @@ void Actions::makeTerrain()
     const auto brush = [this, &s](const char* text, const char* iconName, const char* tip, Brush::Kind kind) {
         terrainEdits << make(text, iconName, "", tip, [&s, kind] {
             s.view.brush.kind = kind;
-            s.view.brushInHand = true;
-            s.view.touchBrush();
+            s.view.take(ToolKind::Brush);
         });
     };
     brush("Raise the ground", "raise", "Take the brush that lifts", Brush::Kind::Raise);

@@ -1,28 +1,31 @@
 // Camera, shading, overlays, theme, tools.
 #include <QActionGroup>
 #include <QApplication>
+#include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "ui/viewport/measure_tool.h"
 #include "ui/viewport/viewport.h"
 // epoxy comes before Qt's own OpenGL headers
 #include "ui/actions.h"
+#include "ui/stack_edits.h"
 #include "ui/theme.h"
+#include "ui/view_area.h"
 
 namespace mw {
 
 void Actions::makeView()
 {
     Session& s = s_;
-    Viewport& v = viewport_;
     frameSelection = make(
-        "Frame selection", "frame", "F", "Show the selection as large as it fits", [&v] { v.frameSelection(); }, true);
+        "Frame selection", "frame", "F", "Show the selection as large as it fits", [this] { viewport().frameSelection(); }, true);
     frameAll = make(
-        "Frame all", "", "Shift+F", "Show everything", [&v] { v.frameAll(); }, true);
+        "Frame all", "", "Shift+F", "Show everything", [this] { viewport().frameAll(); }, true);
     for (const auto& [key, name] : {std::pair{"1", "front"}, {"3", "right"}, {"7", "top"}})
         views << make(
             QString(name).replace(0, 1, QString(name[0]).toUpper()) + " view", "", key, "Look from there; again: from the other side",
-            [&v, name = QString(name)] { v.lookFrom(name); }, true);
+            [this, name = QString(name)] { viewport().lookFrom(name); }, true);
     perspective = make(
         "Perspective", "", "5", "Perspective or parallel projection",
         [&s] {
@@ -61,9 +64,9 @@ void Actions::makeView()
     bones->setCheckable(true);
     orientation = toggle("Orientation marker", "", "", "Where X, Y and Z point", &ViewOptions::orientationMarker);
     legend = toggle("Legend", "", "", "What the colours mean", &ViewOptions::legend);
-    picture = make("Save picture...", "picture", "", "Save what the view shows as PNG", [this, &v] {
+    picture = make("Save picture...", "picture", "", "Save what the view shows as PNG", [this] {
         const QString file = QFileDialog::getSaveFileName(window_, "Save picture", "view.png", "PNG (*.png)");
-        if (!file.isEmpty()) v.grabFramebuffer().save(QFileInfo(file).suffix().isEmpty() ? file + ".png" : file);
+        if (!file.isEmpty()) viewport().grabFramebuffer().save(QFileInfo(file).suffix().isEmpty() ? file + ".png" : file);
     });
     auto* themeGroup = new QActionGroup(window_);
     const struct {
@@ -89,26 +92,75 @@ void Actions::makeView()
                          [] { setReducedMotion(!mw::reducedMotion()); });
     reducedMotion->setCheckable(true);
     reducedMotion->setChecked(mw::reducedMotion());
-    auto* toolGroup = new QActionGroup(window_);
-    tools << make(
-        "Select", "select", "Q", "Click picks, drag orbits",
-        [&v] {
-            if (!v.abortDrag()) v.setBoxTool(false);
-        },
-        true);
-    tools << make(
-        "Box select", "box", "B", "Drag a box over what is to be selected", [&v] { v.setBoxTool(true); }, true);
-    tools << make(
-        "Brush", "brush", "M", "Drag paints on terrains", [&v] { v.setBrushTool(); }, true);
-    QObject::connect(&s.view, &ViewState::brushChanged, window_, [this, &s, &v] {
-        tools[s.view.brushInHand ? 2 : v.boxTool() ? 1 : 0]->setChecked(true);
-    });
-    for (QAction* a : tools) {
+    makeTools();
+    makeViews();
+}
+
+void Actions::makeTools()
+{
+    Session& s = s_;
+    auto* group = new QActionGroup(window_);
+    const struct {
+        const char *text, *icon, *key, *tip;
+    } kinds[] = {{"Select", "select", "Q; Esc", "Click picks, drag orbits, Shift+drag boxes, Ctrl+Shift+drag draws a lasso"},
+                 {"Box select", "box", "B", "Drag a box over what is to be selected"},
+                 {"Lasso select", "lasso", "L", "Draw round what is to be selected"},
+                 {"Move", "move", "W", "Drag an arrow, a plane or the middle; numbers can be typed while dragging (metres)"},
+                 {"Rotate", "rotate", "E", "Drag a ring; numbers can be typed while dragging (degrees)"},
+                 {"Scale", "scale", "R", "Drag a handle, or the middle for all axes; factors can be typed while dragging"},
+                 {"Measure", "measure", "D", "Click two points for their distance, a third for angle and area"},
+                 {"Brush", "brush", "M", "Drag paints on terrains"}};
+    for (const auto& k : kinds) {
+        const auto tool = ToolKind(tools.size());
+        auto* a = make(
+            k.text, k.icon, k.key, k.tip,
+            [this, &s, tool] {
+                if (tool != ToolKind::Select || !viewport().abortDrag()) s.view.take(tool);
+                tools[int(s.view.tool)]->setChecked(true);
+            },
+            true);
         a->setCheckable(true);
-        toolGroup->addAction(a);
+        group->addAction(a);
+        tools << a;
     }
-    tools[0]->setShortcuts({QKeySequence("Q"), QKeySequence("Esc")});
     tools[0]->setChecked(true);
+    QObject::connect(&s.view, &ViewState::toolChanged, window_, [this, &s] { tools[int(s.view.tool)]->setChecked(true); });
+}
+
+Viewport& Actions::viewport() const
+{
+    return views_.active();
+}
+
+void Actions::makeViews()
+{
+    const auto splitInto = [this](int count) { views_.split(count); };
+    oneView = make("One view", "", "", "Close all views but the first", [splitInto] { splitInto(1); });
+    split = make("Two views", "split", "Ctrl+Alt+Q", "Two views side by side, each with its own shading, colours and level; again: one view",
+                 [this, splitInto] { splitInto(views_.count() == 2 ? 1 : 2); });
+    split->setCheckable(true);
+    fourViews = make("Four views", "", "", "Four views, each with its own camera once they are not linked", [splitInto] { splitInto(4); });
+    linkCameras = make("Link cameras", "link", "", "Turning one view turns the others", [this] {
+        s_.view.linked = !s_.view.linked;
+        s_.view.touch();
+    });
+    linkCameras->setCheckable(true);
+    compareBase = make("Compare base and result", "split", "", "Two linked views: the result on the left, the base mesh on the right",
+                       [this] { views_.compareWithBase(edits::activeMesh(s_.document)); });
+    localAxes = make("Local axes", "", "", "Handles along the axes of the node; else along those of the world", [this] {
+        s_.view.localAxes = !s_.view.localAxes;
+        s_.view.touch();
+    });
+    pivotCentre = make("Pivot in the middle of the selection", "", "",
+                       "Turn and scale about the middle of what is selected; else each about its own origin", [this] {
+                           s_.view.pivotCentre = !s_.view.pivotCentre;
+                           s_.view.touch();
+                       });
+    for (QAction* a : {localAxes, pivotCentre}) a->setCheckable(true);
+    copyMeasurement = make("Copy measurement", "copy", "", "What is measured, as text \u00b7 Ctrl+C while measuring", [this] {
+        const QString text = static_cast<MeasureTool&>(viewport().tool(ToolKind::Measure)).copyText();
+        if (!text.isEmpty()) QApplication::clipboard()->setText(text);
+    });
 }
 
 }  // namespace mw

@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include "core/scene/samples.h"
 #include "ui/actions.h"
 #include "ui/banner.h"
 #include "ui/command_search.h"
@@ -19,13 +20,13 @@
 #include "ui/file_commands.h"
 #include "ui/panels/timeline.h"
 #include "ui/playback.h"
-#include "core/scene/samples.h"
 #include "ui/status_strip.h"
 #include "ui/steps/transport_strip.h"
 #include "ui/terrain_edits.h"
 #include "ui/theme.h"
 #include "ui/thumbnails.h"
 #include "ui/tool_bar.h"
+#include "ui/view_area.h"
 #include "ui/view_header.h"
 #include "ui/viewport/viewport.h"
 #include "ui/welcome.h"
@@ -69,26 +70,27 @@ void MainWindow::makeCentre()
     centre_ = new QWidget(this);
     centre_->setObjectName("centralWidget");
     centre_->setAttribute(Qt::WA_StyledBackground);
-    viewport_ = new Viewport(session_, centre_);
+    views_ = new ViewArea(session_, centre_);
+    viewport_ = &views_->first();
     banner_ = new Banner(centre_);
-    actions_ = std::make_unique<Actions>(session_, *files_, *viewport_, this, centre_);
-    viewport_->setContextMenu(actions_->contextMenu(this));
-    header_ = makeViewHeader(session_, *viewport_, *actions_, centre_);
-    makeLevelHud(session_, viewport_);
-    makeGroundHud(session_, *viewport_);
+    actions_ = std::make_unique<Actions>(session_, *files_, *views_, this, centre_);
+    views_->setContextMenu(actions_->contextMenu(this));
+    header_ = makeViewHeader(session_, *views_, *actions_, centre_);
+    views_->setFurnisher([this](Viewport& v, QWidget* parent) { return makePaneHeader(session_, *views_, v, *actions_, parent); },
+                         [this](Viewport& v) { makeHuds(session_, v); });
     auto* grid = new QGridLayout(centre_);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(1);
     grid->addWidget(header_, 0, 0, 1, 2);
     grid->addWidget(banner_, 1, 0, 1, 2);
     grid->addWidget(makeToolStrip(*actions_, centre_), 2, 0);
-    grid->addWidget(viewport_, 2, 1);
+    grid->addWidget(views_, 2, 1);
     grid->setRowStretch(2, 1);
     grid->setColumnStretch(1, 1);
     QWidget* strip = makeTransportStrip(session_, centre_);
     grid->addWidget(strip, 3, 0, 1, 2);
-    installTransportShortcuts(session_.steps, viewport_);
-    installPlaybackShortcuts(session_, viewport_);
+    installTransportShortcuts(session_.steps, views_);
+    installPlaybackShortcuts(session_, views_);
     setCentralWidget(centre_);
 }
 
@@ -156,14 +158,14 @@ void MainWindow::listen()
     });
     connect(view_.get(), &ViewState::changed, this, [this] { actions_->refresh(); });
     connect(workspaces_, &Workspaces::changed, this, &MainWindow::followWorkspace);
-    connect(viewport_, &Viewport::hint, status_, &StatusStrip::setHint);
-    connect(viewport_, &Viewport::failed, banner_, &Banner::trouble);
+    connect(views_, &ViewArea::hint, status_, &StatusStrip::setHint);
+    connect(views_, &ViewArea::failed, banner_, &Banner::trouble);
     connect(status_, &StatusStrip::jobsClicked, this, [this] { workspaces_->show("jobs"); });
     connect(files_, &FileCommands::trouble, banner_, &Banner::trouble);
     connect(files_, &FileCommands::notice, this,
             [this](const QString& text, const std::vector<Warning>& warnings) { banner_->notice(text, warnings); });
-    connect(files_, &FileCommands::opened, this, [this] { viewport_->frameAll(false); });
-    connect(files_, &FileCommands::added, this, [this] { viewport_->frameAll(); });
+    connect(files_, &FileCommands::opened, this, [this] { views_->active().frameAll(false); });
+    connect(files_, &FileCommands::added, this, [this] { views_->active().frameAll(); });
     connect(steps_.get(), &StepSession::opened, this, [this] { workspaces_->change("Learn"); });
     connect(steps_.get(), &StepSession::opened, playback_.get(), &Playback::pause);
     connect(files_, &FileCommands::opened, banner_, &QWidget::hide);  // it spoke of another scene
@@ -176,8 +178,8 @@ void MainWindow::followWorkspace()
 {
     const bool terrain = workspaces_->kind() == "Terrain", character = workspaces_->kind() == "Character";
     centre_->findChild<QWidget*>("toolStrip")->setHidden(terrain);
-    view_->brushInHand = terrain;
-    view_->touchBrush();
+    view_->take(terrain ? ToolKind::Brush : character ? ToolKind::Rotate : ToolKind::Select);
+    if (character || view_->pickKind == PickKind::Joint) view_->pickKind = character ? PickKind::Joint : PickKind::Object;
     view_->showBones = character;
     view_->showMeshes = true;
     for (const auto& [name, shown] : {std::pair{"colourByGroup", !character && !terrain}, {"showGroup", character}})

@@ -14,6 +14,7 @@ class EvaluationService;
 class FileCommands;
 class MainToolBar;
 class StatusStrip;
+class ViewArea;
 class Viewport;
 class WelcomeCard;
 class Workspaces;
@@ -28,7 +29,8 @@ public:
 
     Session& session() { return session_; }
     FileCommands& files() { return *files_; }
-    Viewport& viewport() { return *viewport_; }
+    ViewArea& views() { return *views_; }
+    Viewport& viewport() { return *viewport_; }  ///< the first
     Workspaces& workspaces() { return *workspaces_; }
     Banner& banner() { return *banner_; }
     EvaluationService& evaluations() { return *evaluations_; }
@@ -63,6 +65,7 @@ private:
     std::unique_ptr<Actions> actions_;
     FileCommands* files_ = nullptr;
     Workspaces* workspaces_ = nullptr;
+    ViewArea* views_ = nullptr;
     Viewport* viewport_ = nullptr;
     Banner* banner_ = nullptr;
     StatusStrip* status_ = nullptr;

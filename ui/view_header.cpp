@@ -5,16 +5,15 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QToolButton>
 
-#include "render/terrain_levels.h"
 #include "ui/actions.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
+#include "ui/view_area.h"
 #include "ui/viewport/viewport.h"
-#include "ui/words.h"
 
 namespace mw {
 namespace {
@@ -38,7 +37,7 @@ QFrame* bar(QWidget* parent)
     return line;
 }
 
-QComboBox* colourBy(Session& session, QWidget* parent)
+QComboBox* colourBy(Session& session, Viewport& view, QWidget* parent)
 {
     auto* combo = new QComboBox(parent);
     combo->setObjectName("colourBy");
@@ -52,14 +51,18 @@ QComboBox* colourBy(Session& session, QWidget* parent)
             combo->setItemData(combo->count() - 1, QString::fromStdString(op.summary), Qt::ToolTipRole);
         }
     combo->setToolTip("What the colours of meshes say");
-    QObject::connect(combo, &QComboBox::currentIndexChanged, combo, [&session, combo] {
-        session.view.colourBy = combo->currentData().toString();
+    QObject::connect(combo, &QComboBox::currentIndexChanged, combo, [&session, &view, combo] {
+        const QString chosen = combo->currentData().toString();
+        session.view.activate(view.view());
+        view.look().colourBy = chosen;
         session.view.touch();
     });
-    QObject::connect(&session.view, &ViewState::changed, combo, [&session, combo] {
+    const auto refresh = [&view, combo] {
         const QSignalBlocker quiet(combo);
-        combo->setCurrentIndex(std::max(0, combo->findData(session.view.colourBy)));
-    });
+        combo->setCurrentIndex(std::max(0, combo->findData(view.look().colourBy)));
+    };
+    QObject::connect(&session.view, &ViewState::changed, combo, refresh);
+    refresh();
     return combo;
 }
 
@@ -126,9 +129,169 @@ QWidget* group(const char* name, const QString& label, QComboBox* combo, QWidget
     return g;
 }
 
+/// Shading and wires of one view; the buttons look like those of the actions, which serve the active one.
+void addShading(QHBoxLayout* line, Session& session, Viewport& view, Actions& a, QWidget* parent)
+{
+    const auto button = [&](QAction* like, const QString& name, auto isOn, auto choose) {
+        auto* b = new QToolButton(parent);
+        b->setObjectName(name);
+        b->setIcon(like->icon());
+        b->setToolTip(like->toolTip());
+        b->setAccessibleName(like->text());
+        b->setCheckable(true);
+        b->setFixedSize(30, 26);
+        b->setFocusPolicy(Qt::TabFocus);
+        QObject::connect(like, &QAction::changed, b, [b, like] {
+            b->setIcon(like->icon());
+            b->setToolTip(like->toolTip());
+        });
+        QObject::connect(b, &QToolButton::clicked, b, [&session, &view, choose] {
+            session.view.activate(view.view());
+            choose(view.look().options);
+            session.view.touch();
+        });
+        const auto refresh = [b, &view, isOn] { b->setChecked(isOn(view.look().options)); };
+        QObject::connect(&session.view, &ViewState::changed, b, refresh);
+        refresh();
+        line->addWidget(b);
+    };
+    for (int i = 0; i < a.shadings.size(); ++i)
+        button(
+            a.shadings[i], "shade" + a.shadings[i]->text(), [i](const ViewOptions& o) { return int(o.shading) == i; },
+            [i](ViewOptions& o) { o.shading = Shading(i); });
+    button(
+        a.wireOverlay, "shadeOverlay", [](const ViewOptions& o) { return o.wireOverlay; }, [](ViewOptions& o) { o.wireOverlay = !o.wireOverlay; });
+}
+
+QComboBox* cameraOf(Session& session, Viewport& view, QWidget* parent)
+{
+    auto* camera = new QComboBox(parent);
+    camera->setAccessibleName("Camera");
+    camera->setToolTip("Projection, or where to look from");
+    camera->setFocusPolicy(Qt::TabFocus);
+    camera->addItems({"Perspective", "Parallel", "Front", "Right", "Top", "Back", "Left", "Bottom"});
+    QObject::connect(camera, &QComboBox::activated, camera, [&session, &view, camera](int i) {
+        session.view.activate(view.view());
+        if (i < 2) {
+            view.look().camera.perspective = i == 0;
+            session.view.touch();
+        } else {
+            view.lookFrom(camera->itemText(i).toLower());
+        }
+        camera->setCurrentIndex(view.look().camera.perspective ? 0 : 1);
+    });
+    const auto refresh = [&view, camera] { camera->setCurrentIndex(view.look().camera.perspective ? 0 : 1); };
+    QObject::connect(&session.view, &ViewState::changed, camera, refresh);
+    refresh();
+    return camera;
+}
+
+/// Which level of the active mesh this view shows.
+QComboBox* levelOf(Session& session, Viewport& view, QWidget* parent)
+{
+    auto* combo = new QComboBox(parent);
+    combo->setObjectName("shownLevel");
+    combo->setAccessibleName("Shown level");
+    combo->setToolTip("What this view shows of the active mesh: its base, the result, or a level between");
+    combo->setFocusPolicy(Qt::TabFocus);
+    const auto refresh = [&session, &view, combo] {
+        const QSignalBlocker quiet(combo);
+        const MeshId mesh = edits::activeMesh(session.document);
+        const MeshObject* object = session.document.scene().find(mesh);
+        QStringList levels{"Base mesh"};
+        for (size_t i = 0; object && i + 1 < object->stack.size(); ++i) levels << QString("%1 %2").arg(i + 1).arg(edits::titleOf(object->stack[i]));
+        if (object && !object->stack.empty()) levels << "Result";
+        QStringList now;
+        for (int i = 0; i < combo->count(); ++i) now << combo->itemText(i);
+        if (now != levels) {
+            combo->clear();
+            combo->addItems(levels);
+        }
+        const auto level = view.look().shownLevel.find(mesh);
+        combo->setCurrentIndex(level == view.look().shownLevel.end() ? combo->count() - 1 : std::min(int(level->second), combo->count() - 1));
+        combo->setEnabled(object && !object->stack.empty());
+    };
+    QObject::connect(combo, &QComboBox::activated, combo, [&session, &view, combo](int i) {
+        const MeshId mesh = edits::activeMesh(session.document);
+        const bool result = i == combo->count() - 1;
+        session.view.activate(view.view());
+        if (result)
+            view.look().shownLevel.erase(mesh);
+        else
+            view.look().shownLevel[mesh] = size_t(i);
+        session.view.touch();
+    });
+    QObject::connect(&session.view, &ViewState::changed, combo, refresh);
+    combo->setProperty("token", QVariant::fromValue(session.document.subscribe([refresh](const Change&) { refresh(); })));
+    refresh();
+    return combo;
+}
+
+/// What one view has for itself, in the header while there is only one.
+QWidget* viewControls(Session& session, Viewport& view, Actions& a, QWidget* parent)
+{
+    auto* controls = new QWidget(parent);
+    auto* line = new QHBoxLayout(controls);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(2);
+    addShading(line, session, view, a, controls);
+    line->addSpacing(6);
+    line->addWidget(bar(controls));
+    line->addSpacing(8);
+    line->addWidget(group("colourByGroup", "Colour by", colourBy(session, view, controls), controls));
+    return controls;
+}
+
+/// Axes and pivot of the handles, while a tool that has some is in hand.
+QWidget* handleControls(Session& session, Actions& a, QWidget* parent)
+{
+    auto* holder = new QWidget(parent);
+    holder->setObjectName("handleControls");
+    auto* line = new QHBoxLayout(holder);
+    line->setContentsMargins(8, 0, 0, 0);
+    line->setSpacing(4);
+    const struct {
+        QAction* action;
+        const char *off, *on;
+    } both[] = {{a.localAxes, "World axes", "Local axes"}, {a.pivotCentre, "Own origins", "Middle"}};
+    for (const auto& one : both) {
+        auto* b = new QToolButton(holder);
+        b->setFocusPolicy(Qt::TabFocus);
+        b->setToolTip(one.action->toolTip());
+        b->setAccessibleName(one.action->text());
+        b->setMinimumWidth(b->fontMetrics().horizontalAdvance("Own origins") + 18);
+        QObject::connect(b, &QToolButton::clicked, one.action, &QAction::trigger);
+        const auto refresh = [b, one] { b->setText(one.action->isChecked() ? one.on : one.off); };
+        QObject::connect(one.action, &QAction::changed, b, refresh);
+        refresh();
+        line->addWidget(b);
+    }
+    const auto refresh = [&session, holder] {
+        const ToolKind t = session.view.tool;
+        holder->setVisible(t == ToolKind::Move || t == ToolKind::Rotate || t == ToolKind::Scale);
+    };
+    QObject::connect(&session.view, &ViewState::toolChanged, holder, refresh);
+    refresh();
+    return holder;
+}
+
+/// Two pixels of accent under the header of the active view.
+class PaneHeader : public QFrame {
+public:
+    using QFrame::QFrame;
+
+protected:
+    void paintEvent(QPaintEvent* e) override
+    {
+        QFrame::paintEvent(e);
+        QPainter p(this);
+        p.fillRect(0, height() - 2, width(), 2, property("active").toBool() ? tokens().accentText : tokens().border);
+    }
+};
+
 }  // namespace
 
-QWidget* makeViewHeader(Session& session, Viewport& viewport, Actions& a, QWidget* parent)
+QWidget* makeViewHeader(Session& session, ViewArea& views, Actions& a, QWidget* parent)
 {
     auto* header = new QWidget(parent);
     header->setObjectName("viewHeader");
@@ -141,33 +304,60 @@ QWidget* makeViewHeader(Session& session, Viewport& viewport, Actions& a, QWidge
     line->addSpacing(6);
     line->addWidget(bar(header));
     line->addSpacing(6);
-    for (QAction* action : a.shadings) line->addWidget(buttonOf(action, header));
-    line->addWidget(buttonOf(a.wireOverlay, header));
-    line->addSpacing(6);
-    line->addWidget(bar(header));
-    line->addSpacing(8);
-    line->addWidget(group("colourByGroup", "Colour by", colourBy(session, header), header));
+    QWidget* controls = viewControls(session, views.first(), a, header);
+    QWidget* camera = cameraOf(session, views.first(), header);
+    QWidget* frame = buttonOf(a.frameSelection, header);
+    QWidget* link = buttonOf(a.linkCameras, header);
+    line->addWidget(controls);
     line->addWidget(group("showGroup", "Show", showWhat(session, header), header));
     line->addWidget(groundOverlay(session, header));
+    line->addWidget(handleControls(session, a, header));
     line->addStretch(1);
-    auto* camera = new QComboBox(header);
-    camera->setAccessibleName("Camera");
-    camera->setFocusPolicy(Qt::TabFocus);
-    camera->addItems({"Perspective", "Parallel", "Front", "Right", "Top", "Back", "Left", "Bottom"});
-    QObject::connect(camera, &QComboBox::activated, camera, [&session, &viewport, camera](int i) {
-        if (i < 2) {
-            session.view.camera.perspective = i == 0;
-            session.view.touch();
-        } else {
-            viewport.lookFrom(camera->itemText(i).toLower());
-        }
-        camera->setCurrentIndex(session.view.camera.perspective ? 0 : 1);
-    });
-    QObject::connect(&session.view, &ViewState::changed, camera,
-                     [&session, camera] { camera->setCurrentIndex(session.view.camera.perspective ? 0 : 1); });
-    line->addWidget(camera);
-    line->addWidget(buttonOf(a.frameSelection, header));
+    for (QWidget* w : {camera, frame, link}) line->addWidget(w);
+    line->addWidget(buttonOf(a.split, header));
     line->addWidget(buttonOf(a.picture, header));
+    const auto refresh = [&session, controls, camera, link] {
+        const bool one = session.view.views() == 1;
+        for (QWidget* w : {controls, camera}) w->setVisible(one);
+        link->setVisible(!one);
+    };
+    QObject::connect(&session.view, &ViewState::viewsChanged, header, refresh);
+    refresh();
+    return header;
+}
+
+QWidget* makePaneHeader(Session& session, ViewArea& views, Viewport& view, Actions& a, QWidget* parent)
+{
+    auto* header = new PaneHeader(parent);
+    header->setObjectName("viewHeader");
+    header->setAttribute(Qt::WA_StyledBackground);
+    header->setFixedHeight(34);
+    auto* line = new QHBoxLayout(header);
+    line->setContentsMargins(6, 0, 6, 2);
+    line->setSpacing(2);
+    addShading(line, session, view, a, header);
+    line->addSpacing(4);
+    const std::pair<QComboBox*, int> combos[] = {
+        {colourBy(session, view, header), 8}, {levelOf(session, view, header), 10}, {cameraOf(session, view, header), 12}};
+    for (const auto& [combo, share] : combos) {
+        combo->setMinimumWidth(60);
+        combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        combo->setMinimumContentsLength(4);
+        combo->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        combo->setMaximumWidth(170);
+        line->addWidget(combo, share);
+    }
+    line->addStretch(1);
+    auto* close = new QToolButton(header);
+    close->setIcon(icon("x", tokens().text2));
+    close->setToolTip("Back to one view");
+    close->setAccessibleName("Close split");
+    // Later: the button is a part of what goes.
+    QObject::connect(
+        close, &QToolButton::clicked, &views, [&views] { views.split(1); }, Qt::QueuedConnection);
+    close->setFixedSize(24, 26);
+    close->setFocusPolicy(Qt::TabFocus);
+    line->addWidget(close);
     return header;
 }
 
@@ -187,71 +377,6 @@ QWidget* makeToolStrip(Actions& a, QWidget* parent)
     }
     box->addStretch(1);
     return strip;
-}
-
-QWidget* makeGroundHud(Session& session, Viewport& viewport)
-{
-    auto* hud = new QFrame(&viewport);
-    hud->setObjectName("hud");
-    auto* line = new QHBoxLayout(hud);
-    line->setContentsMargins(10, 6, 10, 6);
-    auto* text = new QLabel(hud);
-    text->setObjectName("groundCounts");
-    line->addWidget(text);
-    const auto refresh = [&session, &viewport, hud, text] {
-        const Scene& scene = session.document.scene();
-        const bool shown = !scene.terrains().empty() && !session.steps.isOpen();
-        hud->setVisible(shown);
-        if (!shown) return;
-        const Terrain& t = scene.find(scene.terrains().front())->terrain;
-        const glm::ivec2 patches = patchesOf(t);
-        QString said =
-            QString("Triangles <b>%1</b> &nbsp; %2 patches").arg(grouped(viewport.trianglesDrawn()), grouped(size_t(patches.x) * size_t(patches.y)));
-        if (const auto& g = session.view.ground) said += QString(" &nbsp; Height at cursor <b>%1 m</b>").arg(g->local.y, 0, 'f', 1);
-        if (said == text->text()) return;
-        text->setText(said);
-        hud->adjustSize();
-        hud->move(12, 12);
-    };
-    for (auto signal : {&ViewState::groundChanged, &ViewState::changed}) QObject::connect(&session.view, signal, hud, refresh);
-    QObject::connect(&viewport, &Viewport::painted, hud, refresh, Qt::QueuedConnection);
-    refresh();
-    return hud;
-}
-
-QWidget* makeLevelHud(Session& session, QWidget* parent)
-{
-    auto* hud = new QFrame(parent);
-    hud->setObjectName("hud");
-    auto* line = new QHBoxLayout(hud);
-    line->setContentsMargins(10, 4, 6, 4);
-    auto* eye = new IconLabel("eye", &Tokens::accentText, hud);
-    auto* text = new QLabel(hud);
-    auto* back = new QPushButton("Show result", hud);
-    back->setFocusPolicy(Qt::TabFocus);
-    line->addWidget(eye);
-    line->addWidget(text);
-    line->addWidget(back);
-    const auto refresh = [&session, hud, text] {
-        const MeshId mesh = edits::activeMesh(session.document);
-        const auto level = session.view.shownLevel.find(mesh);
-        const MeshObject* object = session.document.scene().find(mesh);
-        const bool other = object && level != session.view.shownLevel.end() && level->second < object->stack.size() && !session.steps.isOpen();
-        hud->setVisible(other);
-        if (!other) return;
-        const QString name = level->second == 0 ? "Base mesh" : edits::titleOf(object->stack[level->second - 1]);
-        text->setText(QString("Showing <b>%1</b>, level %2 of %3").arg(name.toHtmlEscaped()).arg(level->second).arg(object->stack.size()));
-        hud->adjustSize();
-        hud->move(12, 12);
-    };
-    QObject::connect(back, &QPushButton::clicked, hud, [&session] {
-        session.view.shownLevel.erase(edits::activeMesh(session.document));
-        session.view.touch();
-    });
-    QObject::connect(&session.view, &ViewState::changed, hud, refresh);
-    hud->setProperty("token", QVariant::fromValue(session.document.subscribe([refresh](const Change&) { refresh(); })));
-    refresh();
-    return hud;
 }
 
 }  // namespace mw

@@ -1,4 +1,4 @@
-// The line above the view (what is picked, shading, colours, camera) and the strip of tools beside it.
+// The line above the views (what is picked, shading, colours, camera), the strip of tools beside them and the notes over them.
 #pragma once
 #include <QWidget>
 
@@ -6,14 +6,17 @@
 
 namespace mw {
 
+class ViewArea;
 class Viewport;
 struct Actions;
 
-QWidget* makeViewHeader(Session& session, Viewport& viewport, Actions& actions, QWidget* parent);
+/// What is shared by all views, and, while there is only one, what it has for itself.
+QWidget* makeViewHeader(Session& session, ViewArea& views, Actions& actions, QWidget* parent);
+/// Above one of several views: its shading, colours, level and camera.
+QWidget* makePaneHeader(Session& session, ViewArea& views, Viewport& viewport, Actions& actions, QWidget* parent);
 QWidget* makeToolStrip(Actions& actions, QWidget* parent);
-/// Triangles, patches and the height under the pointer: over the view while there is a terrain.
-QWidget* makeGroundHud(Session& session, Viewport& viewport);
-/// "Showing Base mesh, level 0 of 5. Show result": over the view while another level is shown.
-QWidget* makeLevelHud(Session& session, QWidget* parent);
+/// What lies over a view, one below another from its top left: the level shown, what a terrain counts, what is measured, and why the tool in
+/// hand has no handles.
+void makeHuds(Session& session, Viewport& viewport);
 
 }  // namespace mw

@@ -14,17 +14,42 @@ namespace mw {
 
 enum class PickKind { Object, Vertex, Edge, Face, Joint };
 
-class ViewState : public QObject {
+/// What a press or a drag in the view does.
+enum class ToolKind { Select, Box, Lasso, Move, Rotate, Scale, Measure, Brush };
+
+/// What each of several views side by side has for itself.
+struct ViewSettings {
+    Camera camera;
+    ViewOptions options;
+    QString colourBy;                     ///< id of a query operation ("vertex-valence"), or empty: material
+    std::map<MeshId, size_t> shownLevel;  ///< 0 base .. n; absent: the result
+    bool showBones = true, showMeshes = true;
+};
+
+/// The settings it inherits are those of the active view: the one used last. Panels and actions speak to that one.
+class ViewState : public QObject, public ViewSettings {
     Q_OBJECT
 
 public:
     using QObject::QObject;
 
-    Camera camera;
-    ViewOptions options;
+    // Views side by side.
+    int views() const { return int(settings_.size()); }
+    int activeView() const { return active_; }
+    ViewSettings& of(int view) { return view == active_ ? *this : settings_[size_t(view)]; }
+    const ViewSettings& of(int view) const { return view == active_ ? *this : settings_[size_t(view)]; }
+    void setViews(int count);  ///< new ones begin as the active one is; the first stays
+    void activate(int view);
+    bool linked = true;     ///< cameras move together
+    void follow(int view);  ///< after moving the camera of a view: the others come along when linked
+
+    // Tools.
+    ToolKind tool = ToolKind::Select;
+    bool localAxes = false;    ///< handles along the node's own axes; else along the world's
+    bool pivotCentre = false;  ///< about the middle of the selection; else each about its own origin
+    void take(ToolKind kind);  ///< in hand
+
     PickKind pickKind = PickKind::Object;
-    QString colourBy;                     ///< id of a query operation ("vertex-valence"), or empty: material
-    std::map<MeshId, size_t> shownLevel;  ///< 0 base .. n; absent: the result
     NodeId hovered;
     std::vector<Mark> flashes;  ///< marks panels put into the view (offenders under the mouse)
     bool dimOthers = false;     ///< everything but marked elements at 35 %
@@ -32,11 +57,9 @@ public:
     // Time: which clip poses the scene, and where its playhead stands. ui/playback.h moves it.
     ClipId clip;      ///< none: the scene rests
     double time = 0;  ///< seconds
-    bool showBones = true, showMeshes = true;
 
     // Terrain: the brush in hand, what is drawn over the ground, and the place under the pointer.
     Brush brush;
-    bool brushInHand = false;
     DrawTerrain::Overlay groundOverlay = DrawTerrain::Overlay::None;
     struct GroundPlace {
         NodeId node;
@@ -54,9 +77,9 @@ public:
         ground = std::move(place);
         emit groundChanged();
     }
-    void touchBrush() { emit brushChanged(); }  ///< after setting the brush or taking it in hand
+    void touchBrush() { emit brushChanged(); }  ///< after setting the brush
 
-    void touch() { emit changed(); }  ///< after setting any of the above
+    void touch();  ///< after setting any of the above
     void frameNodes(std::vector<NodeId> nodes) { emit frameRequested(std::move(nodes)); }
     void frameBounds(const Bounds& world) { emit boundsRequested(world); }
 
@@ -68,11 +91,18 @@ public:
 
 signals:
     void changed();
+    void camerasFollowed();  ///< other views than the one moved have a new camera
+    void viewsChanged();     ///< how many there are, or which one is active
+    void toolChanged();      ///< the tool in hand; brushChanged() follows
     void brushChanged();
     void groundChanged();                                ///< the place under the pointer
     void timeChanged();                                  ///< clip or playhead alone
     void frameRequested(std::vector<mw::NodeId> nodes);  ///< empty: all
     void boundsRequested(const mw::Bounds& world);
+
+private:
+    std::vector<ViewSettings> settings_ = std::vector<ViewSettings>(1);  // that of the active view is out of date
+    int active_ = 0;
 };
 
 }  // namespace mw

@@ -164,18 +164,32 @@ uint64_t contentHash(const Skin& s)
     return h.value();
 }
 
-Mesh posed(const Mesh& rest, const MeshPose& pose)
+namespace {
+
+Shared<glm::vec3> moved(const Mesh& rest, const MeshPose& pose, const Blend& blend)
 {
     Array<glm::vec3> positions(rest.positions().begin(), rest.positions().end());
     if (!positions.empty()) addMorphs(rest, pose, std::string(names::morph), Domain::Vertex, {&positions[0].x, 3 * positions.size()});
-    const Blend blend(rest, pose);
     if (blend)
         inParallel(positions.size(), [&](size_t v) {
             const Move m = blend.at(v);
             const Column p = m.direction(&positions[v].x) + m.at;
             positions[v] = {p[0], p[1], p[2]};
         });
-    Mesh out = rest.withPositions(std::move(positions));
+    return positions;
+}
+
+}  // namespace
+
+Shared<glm::vec3> posedPositions(const Mesh& rest, const MeshPose& pose)
+{
+    return moved(rest, pose, Blend(rest, pose));
+}
+
+Mesh posed(const Mesh& rest, const MeshPose& pose)
+{
+    const Blend blend(rest, pose);
+    Mesh out = rest.withPositions(moved(rest, pose, blend));
     for (const Attribute& a : rest.attributes())
         if (isTurned(a)) out = out.with(turned(rest, a, pose, blend));
     return out;

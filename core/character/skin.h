@@ -29,5 +29,7 @@ struct MeshPose {
 /// Morphed, then skinned: v' = (sum w_j J_j) v (7.11); normals (vertex or corner attributes) by the inverse transpose of the blended matrix,
 /// then unit. Attributes joints, weights and morph:* stay. Vertices without weights stay where the mesh has them.
 Mesh posed(const Mesh& rest, const MeshPose& pose);
+/// The positions of posed() alone: for picking and framing, which need no normals.
+Shared<glm::vec3> posedPositions(const Mesh& rest, const MeshPose& pose);
 
 }  // namespace mw

@@ -11,9 +11,14 @@ bool Selection::has(NodeId n) const
 
 namespace {
 
+bool sameFaces(const Mesh& a, const Mesh& b)
+{
+    return a.vertexCount() == b.vertexCount() && a.cornerVertex().id() == b.cornerVertex().id() && a.faceStart().id() == b.faceStart().id();
+}
+
 bool sameBase(const Mesh& a, const Mesh& b)
 {
-    return a.positions().id() == b.positions().id() && a.cornerVertex().id() == b.cornerVertex().id() && a.faceStart().id() == b.faceStart().id();
+    return a.positions().id() == b.positions().id() && sameFaces(a, b);
 }
 
 // What differs between two scenes, and in which nodes.
@@ -84,7 +89,9 @@ Selection valid(const Selection& s, const Scene& before, const Scene& after)
     const Node *a = before.find(s.elementsOf), *b = after.find(s.elementsOf);
     if (!a || !b) return out;
     const auto from = before.shared(a->mesh), to = after.shared(b->mesh);
-    if (from == to || (from && to && sameBase(from->base, to->base) && from->stack == to->stack)) {
+    // Places may move under a selection of a base mesh; what a stack makes of them may have other elements.
+    const bool moved = from && to && sameFaces(from->base, to->base) && from->stack.empty() && to->stack.empty();
+    if (from == to || moved || (from && to && sameBase(from->base, to->base) && from->stack == to->stack)) {
         out.elementsOf = s.elementsOf;
         out.elements = s.elements;
     }

@@ -40,6 +40,7 @@ std::vector<Edit> sceneEdits();     // edit_scene.cpp: what comes and goes
 std::vector<Edit> fileEdits();      // core/io/edit_files.cpp: what comes from files
 std::vector<Edit> nodeEdits();      // edit_nodes.cpp: names, places, what is shown
 std::vector<Edit> meshEdits();      // edit_mesh.cpp: faces, edges and vertices of meshes
+std::vector<Edit> elementEdits();   // edit_elements.cpp: elements in their places
 std::vector<Edit> stackEdits();     // edit_stack.cpp: modifiers
 std::vector<Edit> materialEdits();  // edit_material.cpp: slots and materials
 std::vector<Edit> terrainEdits();   // edit_terrain.cpp: terrains and strokes

@@ -165,15 +165,15 @@ TEST(Pick, VisibleFacesInARectangle)
 {
     Offscreen offscreen;
     Frame f = frameWith(quadCube(), 6);
-    const auto all = offscreen.renderer().visibleFaces(f, size, {0, 0}, size);
+    const auto all = offscreen.renderer().visibleFaces(f, size, {{0, 0}, size});
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].first, NodeId{7});
     EXPECT_EQ(all[0].second, std::vector<uint32_t>{1});  // only z = 1 looks at the camera
-    EXPECT_TRUE(offscreen.renderer().visibleFaces(f, size, {0, 0}, {5, 5}).empty());
-    EXPECT_TRUE(offscreen.renderer().visibleFaces(f, size, {-50, -50}, {-5, 500}).empty());
+    EXPECT_TRUE(offscreen.renderer().visibleFaces(f, size, {{0, 0}, {5, 5}}).empty());
+    EXPECT_TRUE(offscreen.renderer().visibleFaces(f, size, {{-50, -50}, {-5, 500}}).empty());
 
     f = twoSpheres();  // the id buffer follows what is drawn
-    EXPECT_EQ(offscreen.renderer().visibleFaces(f, size, {0, 0}, size).size(), 2u);
+    EXPECT_EQ(offscreen.renderer().visibleFaces(f, size, {{0, 0}, size}).size(), 2u);
 }
 
 }  // namespace

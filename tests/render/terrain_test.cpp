@@ -349,7 +349,7 @@ TEST_F(TerrainPictures, PickMeetsTheGround)
         EXPECT_NEAR(pick->atWorld.y, f.terrains[0].terrain.heightAt(pick->atWorld.x, pick->atWorld.z), 1e-3);
     }
     EXPECT_FALSE(offscreen_->renderer().pick(f, {width, height}, {2, 2}));
-    const auto seen = offscreen_->renderer().visibleFaces(f, {width, height}, {0, 0}, {width, height});
+    const auto seen = offscreen_->renderer().visibleFaces(f, {width, height}, {{0, 0}, {width, height}});
     ASSERT_EQ(seen.size(), 1u);
     EXPECT_EQ(seen[0].first, NodeId{7});
     EXPECT_TRUE(seen[0].second.empty());

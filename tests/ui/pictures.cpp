@@ -1,21 +1,23 @@
 // Saves pictures of the window in its typical states into the folder MESHWRIGHT_PICTURES, to be looked at beside the design. An
-// argument, "characters" or "steps", asks for those alone.
+// argument, "characters", "steps", "terrain" or "tools", asks for those alone.
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QTest>
 #include <cstdio>
 
+#include "core/scene/samples.h"
 #include "ui/application.h"
 #include "ui/evaluation_service.h"
 #include "ui/file_commands.h"
 #include "ui/main_window.h"
 #include "ui/playback.h"
-#include "core/scene/samples.h"
 #include "ui/stack_edits.h"
 #include "ui/steps/step_player.h"
 #include "ui/terrain_edits.h"
 #include "ui/theme.h"
+#include "ui/view_area.h"
+#include "ui/viewport/transform_tool.h"
 #include "ui/viewport/viewport.h"
 #include "ui/workspaces.h"
 
@@ -186,6 +188,93 @@ void stepTour(MainWindow& w, const QString& folder, const QString& character)
     w.workspaces().change("Mesh");
 }
 
+/// Each tool of the view at work.
+void toolTour(MainWindow& w, const QString& folder, const QString& data, const QString& theme)
+{
+    Session& s = w.session();
+    Viewport& v = w.viewport();
+    w.workspaces().change("Mesh");
+    w.files().open(data + "/meshes/closed_genus0/spot.obj");
+    settle(w);
+    const auto centre = [&] { return glm::dvec2(v.look().camera.project(boundsOf(v.frame()).centre(), v.logicalSize())); };
+    const auto at = [](glm::dvec2 p) { return QPoint(int(p.x), int(p.y)); };
+    s.document.select({{s.document.scene().roots().back()}, {}, {}});
+    for (const auto& [kind, name] : {std::pair{ToolKind::Move, "move"}, {ToolKind::Rotate, "rotate"}, {ToolKind::Scale, "scale"}}) {
+        s.view.take(kind);
+        QTest::qWait(200);
+        shoot(w, folder, QString("tool-%1-%2").arg(name, theme));
+        const auto gizmo = static_cast<TransformTool&>(v.tool()).gizmo();
+        const Handle& h = gizmo->handles().back();
+        const QPoint from = at(kind == ToolKind::Rotate ? h.line[20] : h.line[1]);
+        QTest::mouseMove(&v, from + QPoint(1, 0));
+        QTest::mouseMove(&v, from);
+        QTest::mousePress(&v, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&v, from + QPoint(12, -14));
+        QTest::mouseMove(&v, from + QPoint(25, -30));
+        QTest::qWait(200);
+        shoot(w, folder, QString("tool-%1-drag-%2").arg(name, theme));
+        v.abortDrag();
+        QTest::mouseRelease(&v, Qt::LeftButton, {}, from);
+    }
+    s.view.pickKind = PickKind::Face;
+    s.view.take(ToolKind::Lasso);
+    const glm::dvec2 c = centre();
+    QTest::mousePress(&v, Qt::LeftButton, {}, at(c + glm::dvec2(90, 0)));
+    for (int i = 1; i < 40; ++i) {
+        const double a = 0.16 * i, r = 90 + 18 * std::sin(5 * a);
+        QMouseEvent e(QEvent::MouseMove, QPointF(at(c + r * glm::dvec2(std::cos(a), std::sin(a)))), v.mapToGlobal(QPointF(0, 0)), Qt::NoButton,
+                      Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&v, &e);
+    }
+    QTest::qWait(200);
+    shoot(w, folder, "tool-lasso-drag-" + theme);
+    QTest::mouseRelease(&v, Qt::LeftButton, {}, at(c + glm::dvec2(88, -5)));
+    s.view.take(ToolKind::Move);
+    QTest::qWait(200);
+    shoot(w, folder, "tool-elements-" + theme);
+    s.view.pickKind = PickKind::Object;
+    s.view.take(ToolKind::Measure);
+    for (const glm::dvec2 d : {glm::dvec2(-60, 20), {40, -50}, {30, 60}}) QTest::mouseClick(&v, Qt::LeftButton, {}, at(c + d));
+    QTest::mouseMove(&v, at(c));
+    QTest::qWait(300);
+    shoot(w, folder, "tool-measure-" + theme);
+    v.abortDrag();
+    s.view.take(ToolKind::Select);
+    const MeshId mesh = edits::activeMesh(s.document);
+    edits::addModifier(s.document, mesh, operation("decimate-quadric"), {{"ratio", 0.1}});
+    settle(w);
+    w.views().compareWithBase(mesh);
+    s.view.options.wireOverlay = true;
+    s.view.touch();
+    settle(w);
+    for (int i = 0; i < 2; ++i) w.views().at(i).frameAll(false);
+    settle(w);
+    shoot(w, folder, "tool-split-" + theme);
+    w.views().split(4);
+    settle(w);
+    shoot(w, folder, "tool-four-" + theme);
+    w.views().split(1);
+    s.view.options.wireOverlay = false;
+    s.document.select({{s.document.scene().roots().back()}, s.document.scene().roots().back(), {ElementKind::Face, {0, 1, 2}}});
+    s.view.take(ToolKind::Move);
+    settle(w);
+    shoot(w, folder, "tool-why-not-" + theme);
+    s.view.take(ToolKind::Select);
+    if (!QFile::exists(data + "/characters/cesium_man.gltf")) return;
+    w.workspaces().change("Character");
+    w.files().open(data + "/characters/cesium_man.gltf");
+    settle(w);
+    for (const NodeId id : s.document.scene().nodes())
+        if (s.document.scene().node(id).joint == Node::Joint::Joint && s.document.scene().node(id).children.size() == 1)
+            s.document.select({{id}, {}, {}});
+    settle(w);
+    shoot(w, folder, "tool-joint-driven-" + theme);
+    s.playback->setClip({});
+    settle(w);
+    shoot(w, folder, "tool-joint-" + theme);
+    w.workspaces().change("Mesh");
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -209,6 +298,17 @@ int main(int argc, char** argv)
         if (only.isEmpty() || only.startsWith("character")) characters(w, folder, qEnvironmentVariable("MESHWRIGHT_DATA"));
         if (only.isEmpty() || only.startsWith("step")) stepTour(w, folder, character);
         if (only.isEmpty() || only.startsWith("terrain")) terrainTour(w, folder, "terrain");
+        if (only.startsWith("tools")) {
+            if (size.width() != 1600) break;
+            toolTour(w, folder, qEnvironmentVariable("MESHWRIGHT_DATA"), "dark");
+            applyTheme(app, Theme::Light);
+            MainWindow light;
+            light.resize(size);
+            light.show();
+            if (!QTest::qWaitForWindowExposed(&light)) return 1;
+            toolTour(light, folder, qEnvironmentVariable("MESHWRIGHT_DATA"), "light");
+            break;
+        }
         if (!only.isEmpty() && !only.startsWith("terrain")) continue;
         if (size.width() == 1600) {
             applyTheme(app, Theme::Light);

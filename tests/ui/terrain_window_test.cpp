@@ -138,7 +138,7 @@ private slots:
         w_->session().view.brush.radius = 60;
         const HeightMap before = terrain().map;
         const size_t entries = document().history().size();
-        QVERIFY(w_->session().view.brushInHand);  // the workspace's tool
+        QVERIFY(w_->session().view.tool == ToolKind::Brush);  // the workspace's tool
 
         stroke(pixelOf(-150, -100), pixelOf(-120, -90));
         QCOMPARE(document().history().size(), entries + 1);
@@ -171,7 +171,7 @@ private slots:
         view().setFocus();
         QTest::keyClick(&view(), Qt::Key_Escape);
         QCOMPARE(changedTiles(terrain().map, before), size_t(0));
-        QVERIFY(w_->session().view.brushInHand);  // the first Esc ends the stroke, not the tool
+        QVERIFY(w_->session().view.tool == ToolKind::Brush);  // the first Esc ends the stroke, not the tool
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, at + QPoint(20, 5));
         QCOMPARE(document().history().size(), entries);
     }
@@ -198,9 +198,9 @@ private slots:
         QTest::keyClick(&view(), Qt::Key_BracketLeft);
         QVERIFY(std::abs(b.radius - 100) < 1e-9);
         QTest::keyClick(&view(), Qt::Key_Q);
-        QVERIFY(!w_->session().view.brushInHand);
+        QVERIFY(w_->session().view.tool != ToolKind::Brush);
         QTest::keyClick(&view(), Qt::Key_M);
-        QVERIFY(w_->session().view.brushInHand);
+        QVERIFY(w_->session().view.tool == ToolKind::Brush);
     }
 
     void waterLevelIsOneEntry()

@@ -166,8 +166,7 @@ private:
         }
         connect(tools_, &QButtonGroup::idClicked, this, [this](int id) {
             session_.view.brush.kind = Brush::Kind(id);
-            session_.view.brushInHand = true;
-            session_.view.touchBrush();
+            session_.view.take(ToolKind::Brush);
         });
         box_->addLayout(line);
     }
@@ -310,7 +309,7 @@ private:
         if (!object) return;
         const Brush& b = session_.view.brush;
         tools_->setExclusive(false);
-        for (QAbstractButton* t : tools_->buttons()) t->setChecked(session_.view.brushInHand && tools_->id(t) == int(b.kind));
+        for (QAbstractButton* t : tools_->buttons()) t->setChecked(session_.view.tool == ToolKind::Brush && tools_->id(t) == int(b.kind));
         falloffs_->button(int(b.falloff))->setChecked(true);
         falloffName_->setText(names_[int(b.falloff)]);
         brush_->setValues(brushValues());

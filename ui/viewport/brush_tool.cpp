@@ -60,13 +60,25 @@ const char* verbOf(Brush::Kind kind)
     return kind == Brush::Kind::Raise ? "raise" : "lower";
 }
 
+BrushTool::BrushTool(ToolView& view) : Tool(view)
+{
+    told_.setSingleShot(true);
+    told_.setInterval(1500);
+    QObject::connect(&told_, &QTimer::timeout, &told_, [this] { view_.redraw(); });
+}
+
+void BrushTool::tell()
+{
+    told_.start();
+}
+
 std::optional<ViewState::GroundPlace> BrushTool::under(const Ray& ray) const
 {
-    const Scene& scene = session_.document.scene();
+    const Scene& scene = session().document.scene();
     std::optional<ViewState::GroundPlace> best;
     double nearest = 0;
     for (const NodeId id : scene.nodes()) {
-        const TerrainObject* object = edits::terrainOf(session_.document, id);
+        const TerrainObject* object = edits::terrainOf(session().document, id);
         if (!object || object->terrain.map.empty() || !scene.node(id).visible) continue;
         const glm::dmat4 world = scene.worldFromLocal(id), local = glm::inverse(world);
         const auto met = object->terrain.meet(glm::dvec3(local * glm::dvec4(ray.origin, 1)), glm::dvec3(local * glm::dvec4(ray.direction, 0)));
@@ -74,7 +86,7 @@ std::optional<ViewState::GroundPlace> BrushTool::under(const Ray& ray) const
         const double d = glm::distance(ray.origin, glm::dvec3(world * glm::dvec4(*met, 1)));
         if (best && d >= nearest) continue;
         nearest = d;
-        const TerrainLevels levels = levelsOf(object->terrain, world, session_.view.camera.eye());
+        const TerrainLevels levels = levelsOf(object->terrain, world, view_.look().camera.eye());
         const glm::dvec2 share = glm::dvec2(met->x, met->z) / object->terrain.size() + 0.5;
         const size_t p = levels.patch(std::clamp(int(share.x * levels.columns), 0, levels.columns - 1),
                                       std::clamp(int(share.y * levels.rows), 0, levels.rows - 1));
@@ -85,18 +97,18 @@ std::optional<ViewState::GroundPlace> BrushTool::under(const Ray& ray) const
 
 Brush BrushTool::brush() const
 {
-    Brush b = session_.view.brush;
+    Brush b = session().view.brush;
     if (inverted_) b.kind = b.kind == Brush::Kind::Raise ? Brush::Kind::Lower : Brush::Kind::Raise;
     return b;
 }
 
-bool BrushTool::press(const Ray& ray, bool inverted)
+bool BrushTool::press(const PointerEvent& e)
 {
-    const auto place = under(ray);
+    const auto place = e.alt() || e.shift() ? std::nullopt : under(view_.ray(e.at));
     if (!place) return false;
-    inverted_ = inverted;
+    inverted_ = e.control();
     node_ = place->node;
-    object_ = *edits::terrainOf(session_.document, node_);
+    object_ = *edits::terrainOf(session().document, node_);
     object_.sourceOperation.clear();  // painted: no source gives this map
     object_.sourceValues.clear();
     carry_ = -1;
@@ -107,42 +119,44 @@ bool BrushTool::press(const Ray& ray, bool inverted)
 
 void BrushTool::dab(glm::dvec2 to)
 {
-    if (!edits::terrainOf(session_.document, node_)) {  // undone or deleted under the hand
+    if (!edits::terrainOf(session().document, node_)) {  // undone or deleted under the hand
         node_ = {};
         return;
     }
     const std::array<glm::dvec2, 2> way{last_, to};
     object_.terrain.map = stroked(object_.terrain, brush(), way, carry_);
     last_ = to;
-    Scene next = session_.document.scene();
+    Scene next = session().document.scene();
     next.set(next.node(node_).terrain, object_);
-    session_.document.preview(std::move(next));
+    session().document.preview(std::move(next));
 }
 
-void BrushTool::move(const Ray& ray)
+void BrushTool::move(const PointerEvent& e)
 {
-    const auto place = painting() ? under(ray) : std::nullopt;
+    const auto place = painting() ? under(view_.ray(e.at)) : std::nullopt;
     if (place && place->node == node_) dab({place->local.x, place->local.z});
 }
 
-void BrushTool::release()
+void BrushTool::release(const PointerEvent&)
 {
     if (!painting()) return;
     const NodeId node = std::exchange(node_, NodeId{});
-    const std::string name = session_.document.scene().node(node).name + ": " + verbOf(brush().kind);
-    session_.document.commit(name, session_.document.scene());
+    const std::string name = session().document.scene().node(node).name + ": " + verbOf(brush().kind);
+    session().document.commit(name, session().document.scene());
 }
 
 bool BrushTool::abort()
 {
     if (!painting()) return false;
     node_ = {};
-    session_.document.cancelPreview();
+    session().document.cancelPreview();
     return true;
 }
 
-void BrushTool::decorate(Frame& frame, const ViewState::GroundPlace& place, bool told) const
+void BrushTool::decorate(Frame& frame)
 {
+    if (!session().view.ground) return;
+    const ViewState::GroundPlace place = *session().view.ground;
     for (DrawTerrain& t : frame.terrains) {
         if (t.node != place.node) continue;
         const Brush b = brush();
@@ -151,16 +165,25 @@ void BrushTool::decorate(Frame& frame, const ViewState::GroundPlace& place, bool
         const auto world = [&](glm::dvec2 xz, double above) {
             return glm::vec3(t.worldFromLocal * glm::dvec4(placeOf(t, xz) + glm::dvec3(0, above, 0), 1));
         };
-        addHidden(frame, t, at, b.radius, session_.view.camera.eye());
+        addHidden(frame, t, at, b.radius, view_.look().camera.eye());
         const double needle = 0.6 * b.strength * b.radius;
         frame.points.push_back({world(at, 0), glm::vec4(1), 2, world(at, needle), false, true});
         frame.points.push_back({world(at, 0), glm::vec4(1), 7, {}, false, true});
         frame.points.push_back({world(at, needle), glm::vec4(1), 5, {}, false, true});
-        if (!told) continue;
+        if (!told_.isActive()) continue;
         char text[80];
         std::snprintf(text, sizeof text, "%s %.3g m, strength %.2f", b.kind == Brush::Kind::Raise ? "Raise" : "Lower", b.radius, b.strength);
         frame.labels.push_back({world(at, 0), text, glm::vec4(1)});
     }
+}
+
+QString BrushTool::hint(Qt::KeyboardModifiers m) const
+{
+    const bool lowers = (session().view.brush.kind != Brush::Kind::Lower) == bool(m & Qt::ControlModifier);
+    return QString(
+               "Drag %1 \u00b7 Ctrl+drag %2 \u00b7 [ ] radius \u00b7 Shift+[ ] strength \u00b7 Right-drag pans \u00b7 Middle-drag, or a drag "
+               "beside the ground, orbits")
+        .arg(lowers ? "lowers" : "raises", lowers ? "raises" : "lowers");
 }
 
 }  // namespace mw

@@ -23,8 +23,8 @@ void markSelection(const Session& s, Frame& frame)
     }
     for (DrawTerrain& t : frame.terrains) {
         // With the brush in hand a line round the ground would only be in the way.
-        t.selected = selection.has(t.node) && s.view.pickKind == PickKind::Object && !s.view.brushInHand;
-        t.hovered = s.view.hovered == t.node && s.view.pickKind == PickKind::Object && !s.view.brushInHand;
+        t.selected = selection.has(t.node) && s.view.pickKind == PickKind::Object && s.view.tool != ToolKind::Brush;
+        t.hovered = s.view.hovered == t.node && s.view.pickKind == PickKind::Object && s.view.tool != ToolKind::Brush;
     }
     if (!selection.elementsOf || selection.elements.indices.empty()) return;
     Mark m;
@@ -38,28 +38,33 @@ void markSelection(const Session& s, Frame& frame)
 
 }  // namespace
 
-Mesh shownMesh(const Session& session, MeshId id)
+Mesh shownMesh(const Session& session, const ViewSettings& look, MeshId id)
 {
     const auto evaluation = session.document.evaluation(id);
-    const auto level = session.view.shownLevel.find(id);
-    if (level != session.view.shownLevel.end()) {
+    const auto level = look.shownLevel.find(id);
+    if (level != look.shownLevel.end()) {
         if (level->second == 0) return session.document.scene().find(id)->base;
         if (evaluation && level->second <= evaluation->levels.size()) return evaluation->at(level->second);
     }
     return session.document.shownMesh(id);
 }
 
-Frame buildFrame(const Session& session, HeatService& heats)
+Mesh shownMesh(const Session& session, MeshId id)
 {
-    if (isLab(session.steps)) return labFrame(session);
+    return shownMesh(session, session.view, id);
+}
+
+Frame buildFrame(const Session& session, const ViewSettings& look, HeatService& heats)
+{
+    if (isLab(session.steps)) return labFrame(session, look);
     Frame frame = frameOf(
-        session.document.scene(), [&](MeshId id) { return shownMesh(session, id); },
+        session.document.scene(), [&](MeshId id) { return shownMesh(session, look, id); },
         shownPose(session, session.playback ? session.playback->pose() : ScenePose()));
-    if (!session.view.showMeshes && !frame.bones.empty()) frame.objects.clear();
-    if (!session.view.showBones && !session.steps.isOfCharacter() && !frame.objects.empty()) frame.bones.clear();
-    frame.camera = session.view.camera;
-    frame.options = session.view.options;
-    const Operation* query = session.view.colourBy.isEmpty() ? nullptr : findOperation(session.view.colourBy.toStdString());
+    if (!look.showMeshes && !frame.bones.empty()) frame.objects.clear();
+    if (!look.showBones && !session.steps.isOfCharacter() && !frame.objects.empty()) frame.bones.clear();
+    frame.camera = look.camera;
+    frame.options = look.options;
+    const Operation* query = look.colourBy.isEmpty() ? nullptr : findOperation(look.colourBy.toStdString());
     if (query && !session.steps.isOpen())
         for (DrawObject& o : frame.objects) o.heat = heats.heat(*query, o.mesh);
     for (DrawTerrain& t : frame.terrains) t.overlay = session.view.groundOverlay;

@@ -6,9 +6,10 @@
 namespace mw {
 
 /// The mesh to show of a mesh object: a chosen level of its stack, else the last good result.
-Mesh shownMesh(const Session& session, MeshId id);
+Mesh shownMesh(const Session& session, const ViewSettings& look, MeshId id);
+Mesh shownMesh(const Session& session, MeshId id);  ///< in the active view
 
-Frame buildFrame(const Session& session, HeatService& heats);
+Frame buildFrame(const Session& session, const ViewSettings& look, HeatService& heats);
 
 /// What the pointer is over, as a mark of the pick kind; nothing for objects.
 std::optional<Mark> hoverMark(const Pick& pick, PickKind kind);

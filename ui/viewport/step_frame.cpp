@@ -41,11 +41,11 @@ bool isLab(const StepSession& steps)
     return steps.isOpen() && !steps.node();
 }
 
-Frame labFrame(const Session& s)
+Frame labFrame(const Session& s, const ViewSettings& look)
 {
     Frame frame;
-    frame.camera = s.view.camera;
-    frame.options = s.view.options;
+    frame.camera = look.camera;
+    frame.options = look.options;
     frame.options.grid = frame.options.axes = false;
     const Value* value = s.steps.value();
     if (!value) return frame;
@@ -84,7 +84,7 @@ void lookAtLab(const Session& s, Camera& camera, double aspect)
     const Lesson* lesson = findLesson(s.steps.operation()->id);
     camera.azimuth = glm::radians(lesson ? lesson->scene.azimuth : 30);
     camera.elevation = glm::radians(lesson ? lesson->scene.elevation : 20);
-    Frame frame = labFrame(s);
+    Frame frame = labFrame(s, s.view);
     Bounds bounds = boundsOf(frame), marked = bounds;
     for (const MarkPoint& p : frame.points) marked.add(glm::dvec3(p.atWorld));
     // A target's cross has an arm out of the plane; what it is a target of says whether there is a plane.

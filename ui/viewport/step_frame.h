@@ -10,7 +10,7 @@ inline constexpr NodeId labNode{~0u};
 /// True while the stepped value stands by itself and the scene is hidden.
 bool isLab(const StepSession& steps);
 /// The value alone. Empty while there is none.
-Frame labFrame(const Session& session);
+Frame labFrame(const Session& session, const ViewSettings& look);
 /// Puts the stepped value into a frame of the scene, and the marks of its step.
 void markStep(const Session& session, Frame& frame);
 /// Where the focus of the step is, in the world.

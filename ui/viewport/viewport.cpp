@@ -6,15 +6,28 @@
 #include <cmath>
 
 #include "ui/theme.h"
+#include "ui/viewport/brush_tool.h"
+#include "ui/viewport/measure_tool.h"
+#include "ui/viewport/region_tool.h"
+#include "ui/viewport/select_tool.h"
 #include "ui/viewport/step_frame.h"
+#include "ui/viewport/transform_tool.h"
 
 namespace mw {
 
-Viewport::Viewport(Session& session, QWidget* parent)
-    : QOpenGLWidget(parent), session_(session), heats_(session.jobs), brush_(session), band_(new QRubberBand(QRubberBand::Rectangle, this))
+Viewport::Viewport(Session& session, std::shared_ptr<HeatService> heats, int view, QWidget* parent)
+    : QOpenGLWidget(parent), session_(session), heats_(std::move(heats)), view_(view)
 {
-    setObjectName("viewport");
-    setAccessibleName("View");
+    tools_[size_t(ToolKind::Select)] = std::make_unique<SelectTool>(*this);
+    tools_[size_t(ToolKind::Box)] = std::make_unique<RegionTool>(*this, false);
+    tools_[size_t(ToolKind::Lasso)] = std::make_unique<RegionTool>(*this, true);
+    for (const ToolKind k : {ToolKind::Move, ToolKind::Rotate, ToolKind::Scale}) tools_[size_t(k)] = std::make_unique<TransformTool>(*this, k);
+    tools_[size_t(ToolKind::Measure)] = std::make_unique<MeasureTool>(*this);
+    auto brush = std::make_unique<BrushTool>(*this);
+    brush_ = brush.get();
+    tools_[size_t(ToolKind::Brush)] = std::move(brush);
+    setObjectName(view_ == 0 ? QString("viewport") : QString("viewport%1").arg(view_ + 1));
+    setAccessibleName(view_ == 0 ? QString("View") : QString("View %1").arg(view_ + 1));
     setAccessibleDescription("The scene. Click picks, drag orbits.");
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -22,8 +35,13 @@ Viewport::Viewport(Session& session, QWidget* parent)
     subscription_ = session_.document.subscribe([this](const Change&) { refresh(); });
     connect(&session_.view, &ViewState::changed, this, &Viewport::refresh);
     connect(&session_.view, &ViewState::timeChanged, this, &Viewport::refresh);
-    connect(&session_.view, &ViewState::frameRequested, this, [this](const std::vector<NodeId>& nodes) { showFrame(boundsOfNodes(nodes), true); });
-    connect(&session_.view, &ViewState::boundsRequested, this, [this](const Bounds& b) { showFrame(b, true); });
+    connect(&session_.view, &ViewState::camerasFollowed, this, [this] { update(); });
+    connect(&session_.view, &ViewState::frameRequested, this, [this](const std::vector<NodeId>& nodes) {
+        if (session_.view.activeView() == view_) showFrame(boundsOfNodes(nodes), true);
+    });
+    connect(&session_.view, &ViewState::boundsRequested, this, [this](const Bounds& b) {
+        if (session_.view.activeView() == view_) showFrame(b, true);
+    });
     connect(&session_.steps, &StepSession::changed, this, [this] {
         refresh();
         followFocus();
@@ -34,15 +52,17 @@ Viewport::Viewport(Session& session, QWidget* parent)
             refresh();
             say({});
         });
-    connect(&heats_, &HeatService::ready, this, &Viewport::refresh);
-    connect(&heats_, &HeatService::failed, this, &Viewport::failed);
-    connect(&session_.view, &ViewState::brushChanged, this, &Viewport::toolChanged);
-    connect(&session_.view, &ViewState::groundChanged, this, [this] {
-        if (session_.view.brushInHand) update();
+    connect(heats_.get(), &HeatService::ready, this, &Viewport::refresh);
+    connect(heats_.get(), &HeatService::failed, this, &Viewport::failed);
+    connect(&session_.view, &ViewState::toolChanged, this, &Viewport::toolChanged);
+    connect(&session_.view, &ViewState::brushChanged, this, [this] {
+        if (session_.view.tool == ToolKind::Brush) brush_->tell();
+        update();
+        if (underMouse()) say({});
     });
-    brushTold_.setSingleShot(true);
-    brushTold_.setInterval(1500);
-    connect(&brushTold_, &QTimer::timeout, this, [this] { update(); });
+    connect(&session_.view, &ViewState::groundChanged, this, [this] {
+        if (session_.view.tool == ToolKind::Brush) update();
+    });
     hoverTimer_.setSingleShot(true);
     hoverTimer_.setInterval(30);
     connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::hover);
@@ -85,7 +105,7 @@ const Frame& Viewport::frame()
 {
     if (!stale_) return frame_;
     stale_ = false;
-    frame_ = buildFrame(session_, heats_);
+    frame_ = buildFrame(session_, look(), *heats_);
     frame_.options.pixelRatio = devicePixelRatioF();
     return frame_;
 }
@@ -96,13 +116,13 @@ void Viewport::paintGL()
     ++framesDrawn_;
     frame();
     const Bounds bounds = boundsOf(frame_);
-    session_.view.camera.fitClip(bounds);
-    frame_.camera = session_.view.camera;
+    look().camera.fitClip(bounds);
+    frame_.camera = look().camera;
     const size_t marks = frame_.marks.size(), points = frame_.points.size(), labels = frame_.labels.size();
-    const bool ring = session_.view.brushInHand && session_.view.ground && !session_.steps.isOpen() &&
-                      (drag_ == Drag::None || drag_ == Drag::Pending || drag_ == Drag::Paint);
-    if (ring) brush_.decorate(frame_, *session_.view.ground, brushTold_.isActive());
     if (hoverMark_ && !session_.steps.isOpen()) frame_.marks.push_back(*hoverMark_);
+    if (dragTool_ && dragTool_ != &tool()) dragTool_->decorate(frame_);
+    if (toolIdle() && (session_.view.tool != ToolKind::Brush || drag_ == Drag::None || drag_ == Drag::Pending || drag_ == Drag::Tool))
+        tool().decorate(frame_);
     try {
         renderer_->draw(frame_, defaultFramebufferObject(), deviceSize());
     } catch (const std::exception& e) {
@@ -112,8 +132,8 @@ void Viewport::paintGL()
     frame_.marks.resize(marks);
     frame_.points.resize(points);
     frame_.labels.resize(labels);
-    if (ring)
-        for (DrawTerrain& t : frame_.terrains) t.brush.reset();
+    frame_.flats.clear();
+    for (DrawTerrain& t : frame_.terrains) t.brush.reset();
     trianglesDrawn_ = renderer_ ? renderer_->counts().triangles : 0;
     emit painted();
 }
@@ -124,11 +144,27 @@ glm::ivec2 Viewport::deviceSize() const
     return {int(std::lround(width() * r)), int(std::lround(height() * r))};
 }
 
+const Frame& Viewport::seen()
+{
+    frame();
+    frame_.camera = look().camera;
+    return frame_;
+}
+
+std::vector<std::pair<NodeId, std::vector<uint32_t>>> Viewport::visibleFaces(const Region& region)
+{
+    if (!renderer_) return {};
+    seen();
+    makeCurrent();
+    auto faces = renderer_->visibleFaces(frame_, deviceSize(), region);
+    doneCurrent();
+    return faces;
+}
+
 std::optional<Pick> Viewport::pickAt(QPointF at)
 {
     if (!renderer_ || !rect().contains(at.toPoint())) return std::nullopt;
-    frame();
-    frame_.camera = session_.view.camera;
+    seen();
     makeCurrent();
     const double r = devicePixelRatioF();
     const auto pick = renderer_->pick(frame_, deviceSize(), {at.x() * r, at.y() * r});
@@ -170,19 +206,19 @@ void Viewport::enterOrLeaveLab()
 {
     const bool lab = isLab(session_.steps);
     if (lab && (!beforeLab_ || labOf_ != session_.steps.operation())) {
-        if (!beforeLab_) beforeLab_ = session_.view.camera;
+        if (!beforeLab_) beforeLab_ = look().camera;
         labOf_ = session_.steps.operation();
         flight_.stop();
-        lookAtLab(session_, session_.view.camera, double(width()) / std::max(1, height()));
+        lookAtLab(session_, look().camera, double(width()) / std::max(1, height()));
         // Docks may come and go with the workspace: once more when the view has its size.
         QTimer::singleShot(0, this, [this] {
             if (!isLab(session_.steps) || session_.steps.position() > 0) return;
-            lookAtLab(session_, session_.view.camera, double(width()) / std::max(1, height()));
+            lookAtLab(session_, look().camera, double(width()) / std::max(1, height()));
             update();
         });
     } else if (!lab && beforeLab_) {
         flight_.stop();
-        session_.view.camera = *beforeLab_;
+        look().camera = *beforeLab_;
         beforeLab_.reset();
         labOf_ = nullptr;
     } else {
@@ -195,7 +231,7 @@ void Viewport::enterOrLeaveLab()
 // From the middle of the scene through the focus outwards: there it is seen on anything that bulges.
 Camera Viewport::facing(const Bounds& focus)
 {
-    Camera to = session_.view.camera;
+    Camera to = look().camera;
     const glm::dvec3 out = focus.centre() - boundsOf(frame()).centre();
     if (glm::length(out) == 0) return to;
     const glm::dvec3 d = glm::normalize(out);
@@ -206,6 +242,7 @@ Camera Viewport::facing(const Bounds& focus)
 
 void Viewport::followFocus()
 {
+    if (session_.view.activeView() != view_) return;
     if (!session_.steps.isOpen() || session_.steps.playing() || session_.steps.seeking() || drag_ != Drag::None) return;
     const Value* value = session_.steps.value();
     if (isLab(session_.steps) || (value && kindOf(*value) == Kind::Pose)) return;  // all of it is in view, and seen through what hides it
@@ -213,7 +250,7 @@ void Viewport::followFocus()
     // Many elements, or all, are no place to look at.
     const double scene = boundsOf(frame()).diagonal();
     if (focus.empty || focus.diagonal() > 0.5 * scene) return;
-    const glm::dvec3 at = session_.view.camera.project(focus.centre(), logicalSize());
+    const glm::dvec3 at = look().camera.project(focus.centre(), logicalSize());
     const bool inside = at.x > 0 && at.y > 0 && at.x < width() && at.y < height();
     if (inside) {
         const auto pick = pickAt({at.x, at.y});
@@ -233,7 +270,7 @@ void Viewport::frameSelection()
         const glm::dvec3 reach(std::max(focus.diagonal(), 1e-3 * boundsOf(frame()).diagonal()));
         focus.add(focus.min - reach);
         focus.add(focus.max + reach);
-        Camera to = isLab(session_.steps) ? session_.view.camera : facing(focus);
+        Camera to = isLab(session_.steps) ? look().camera : facing(focus);
         to.frame(focus, double(width()) / std::max(1, height()));
         return flyTo(to);
     }
@@ -242,7 +279,7 @@ void Viewport::frameSelection()
         for (const DrawObject& o : frame().objects) {
             if (o.node != s.elementsOf) continue;
             Bounds b;
-            const Shared<glm::vec3> places = o.pose ? posed(o.mesh, *o.pose).positions() : o.mesh.positions();
+            const Shared<glm::vec3> places = o.pose ? posedPositions(o.mesh, *o.pose) : o.mesh.positions();
             const auto add = [&](uint32_t v) {
                 if (v < places.size()) b.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(places[v]), 1)));
             };
@@ -266,11 +303,11 @@ void Viewport::frameSelection()
 void Viewport::showFrame(const Bounds& bounds, bool fly)
 {
     if (bounds.empty) return;
-    Camera to = session_.view.camera;
+    Camera to = look().camera;
     to.frame(bounds, double(width()) / std::max(1, height()));
     if (fly) return flyTo(to);
-    session_.view.camera = to;
-    update();
+    look().camera = to;
+    moved();
 }
 
 void Viewport::flyTo(const Camera& to)
@@ -278,15 +315,13 @@ void Viewport::flyTo(const Camera& to)
     flight_.stop();
     flight_.disconnect(this);
     if (reducedMotion()) {
-        session_.view.camera = to;
-        update();
-        emit cameraMoved();
-        return;
+        look().camera = to;
+        return moved();
     }
-    const Camera from = session_.view.camera;
+    const Camera from = look().camera;
     connect(&flight_, &QVariantAnimation::valueChanged, this, [this, from, to](const QVariant& v) {
         const double t = v.toDouble();
-        Camera& c = session_.view.camera;
+        Camera& c = look().camera;
         c = to;
         if (t < 1) {
             c.target = glm::mix(from.target, to.target, t);
@@ -294,6 +329,7 @@ void Viewport::flyTo(const Camera& to)
             c.azimuth = from.azimuth + t * std::remainder(to.azimuth - from.azimuth, 2 * M_PI);
             c.elevation = glm::mix(from.elevation, to.elevation, t);
         }
+        session_.view.follow(view_);
         update();
         if (t >= 1) emit cameraMoved();
     });
@@ -303,42 +339,54 @@ void Viewport::flyTo(const Camera& to)
 void Viewport::lookFrom(const QString& view)
 {
     static const std::map<QString, QString> opposite{{"front", "back"}, {"right", "left"}, {"top", "bottom"}};
-    Camera to = session_.view.camera;
+    Camera to = look().camera;
     setView(to, view.toStdString());
-    const Camera& now = session_.view.camera;
+    const Camera& now = look().camera;
     const auto same = [](double a, double b) { return std::abs(std::remainder(a - b, 2 * M_PI)) < 1e-6; };
     if (const auto other = opposite.find(view); other != opposite.end() && same(now.azimuth, to.azimuth) && same(now.elevation, to.elevation))
         setView(to, other->second.toStdString());
     flyTo(to);
 }
 
-void Viewport::setBoxTool(bool on)
-{
-    boxTool_ = on;
-    session_.view.brushInHand = false;
-    session_.view.touchBrush();
-}
-
-void Viewport::setBrushTool()
-{
-    session_.view.brushInHand = true;
-    session_.view.touchBrush();
-}
-
 bool Viewport::abortDrag()
 {
-    if (!brush_.abort()) return false;
-    drag_ = Drag::None;
+    Tool* busy = dragTool_ ? dragTool_ : toolIdle() ? &tool() : nullptr;
+    if (!busy || !busy->abort()) return false;
+    if (drag_ == Drag::Tool) drag_ = Drag::None;
+    dragTool_ = nullptr;
+    showCursor();
     return true;
+}
+
+bool Viewport::toolIdle() const
+{
+    return !session_.steps.isOpen();
+}
+
+void Viewport::showCursor()
+{
+    setCursor(toolIdle() ? tool().cursor() : Qt::ArrowCursor);
+}
+
+void Viewport::moved()
+{
+    session_.view.follow(view_);
+    update();
+    emit cameraMoved();
 }
 
 void Viewport::toolChanged()
 {
-    if (session_.view.brushInHand) {
-        boxTool_ = false;
-        brushTold_.start();
+    if (dragTool_) {  // another tool was taken in the middle of a drag
+        dragTool_->abort();
+        dragTool_ = nullptr;
+        drag_ = Drag::None;
     }
-    setCursor(boxTool_ ? Qt::CrossCursor : Qt::ArrowCursor);
+    if (!toolIdle() || !tool().marksHover()) {
+        hoverMark_.reset();
+        session_.view.hovered = {};
+    }
+    showCursor();
     refresh();
     say({});
 }

@@ -5,29 +5,43 @@
 #include <QElapsedTimer>
 #include <QMenu>
 #include <QOpenGLWidget>
-#include <QRubberBand>
 #include <QTimer>
 #include <QVariantAnimation>
+#include <array>
 
-#include "ui/viewport/brush_tool.h"
 #include "ui/viewport/frame_builder.h"
+#include "ui/viewport/tool.h"
 
 namespace mw {
 
-class Viewport : public QOpenGLWidget {
+class BrushTool;
+class RegionTool;
+
+class Viewport : public QOpenGLWidget, public ToolView {
     Q_OBJECT
 
 public:
-    Viewport(Session& session, QWidget* parent = nullptr);
+    /// `view` is its place among the views of the session; `heats` may serve several.
+    Viewport(Session& session, std::shared_ptr<HeatService> heats, int view = 0, QWidget* parent = nullptr);
     ~Viewport() override;
 
     void frameAll(bool fly = true);
     void frameSelection();
     void lookFrom(const QString& view);  ///< "front", ...; a second time the opposite
-    void setBoxTool(bool on);
-    bool boxTool() const { return boxTool_; }
-    void setBrushTool();
-    bool abortDrag();  ///< a stroke: the ground is as before; false when there is none
+    bool abortDrag();                    ///< what a tool has under way: all is as before; false when there is nothing
+    int view() const { return view_; }
+    const ViewSettings& look() const override { return session_.view.of(view_); }
+    ViewSettings& look() { return session_.view.of(view_); }
+    Tool& tool(ToolKind kind) { return *tools_[size_t(kind)]; }
+    Tool& tool() { return tool(session_.view.tool); }  ///< the one in hand
+    // What tools ask.
+    Session& session() override { return session_; }
+    const Frame& seen() override;
+    glm::dvec2 logicalSize() const override { return {width(), height()}; }
+    double pixelRatio() const override { return devicePixelRatioF(); }
+    std::optional<Pick> pick(glm::dvec2 at) override { return pickAt({at.x, at.y}); }
+    std::vector<std::pair<NodeId, std::vector<uint32_t>>> visibleFaces(const Region& region) override;
+    void redraw() override { update(); }
     size_t trianglesDrawn() const { return trianglesDrawn_; }
     void setContextMenu(QMenu* menu) { menu_ = menu; }
     size_t framesDrawn() const { return framesDrawn_; }
@@ -50,12 +64,14 @@ protected:
     void mouseReleaseEvent(QMouseEvent* e) override;
     void wheelEvent(QWheelEvent* e) override;
     void leaveEvent(QEvent* e) override;
+    void keyPressEvent(QKeyEvent* e) override;
+    void focusInEvent(QFocusEvent* e) override;
     bool event(QEvent* e) override;
 
 private:
-    enum class Drag { None, Pending, Orbit, Pan, Zoom, Box, Paint };
-    void refresh();                      // the frame is out of date
-    Bounds focusBounds();                // of the step's focus, in the world
+    enum class Drag { None, Pending, Orbit, Pan, Zoom, Tool };
+    void refresh();        // the frame is out of date
+    Bounds focusBounds();  // of the step's focus, in the world
     void enterOrLeaveLab();
     void followFocus();                  // turns the camera when the focus cannot be seen
     Camera facing(const Bounds& focus);  // the present camera, turned to it from outside
@@ -65,23 +81,28 @@ private:
     void drag(QPointF at);
     void hover();
     void pointAt(QPointF at);  // the ground there
-    Ray rayAt(QPointF at) const { return session_.view.camera.ray({at.x(), at.y()}, logicalSize()); }
+    void moved();              // the camera
     void toolChanged();
+    void showCursor();
+    PointerEvent eventAt(QPointF at, Qt::KeyboardModifiers m) const { return {{at.x(), at.y()}, m}; }
+    bool toolIdle() const;  // the tool in hand waits: nothing is stepped
     void say(Qt::KeyboardModifiers modifiers);
     QString markerView(QPointF at) const;  // "top" when a ball of the orientation marker is there
     Bounds boundsOfNodes(const std::vector<NodeId>& nodes);
     std::optional<Pick> pickAt(QPointF at);
     NodeId jointUnder(QPointF at, bool surface);  // when joints are picked, or nothing else is there
     glm::ivec2 deviceSize() const;
-    glm::dvec2 logicalSize() const { return {width(), height()}; }
 
     Session& session_;
-    HeatService heats_;
-    BrushTool brush_;
+    std::shared_ptr<HeatService> heats_;
+    const int view_;
+    std::array<std::unique_ptr<Tool>, 8> tools_;  // by ToolKind
+    BrushTool* brush_ = nullptr;
+    Tool* dragTool_ = nullptr;  // whose drag goes on
     std::unique_ptr<Renderer> renderer_;
     std::shared_ptr<void> subscription_;
     Frame frame_;
-    bool stale_ = true, boxTool_ = false, framedOnce_ = false;
+    bool stale_ = true, toolKey_ = false;
     std::optional<Mark> hoverMark_;
     std::optional<Camera> beforeLab_;
     const Operation* labOf_ = nullptr;
@@ -92,10 +113,8 @@ private:
     Qt::KeyboardModifiers modifiers_;
     QPointF pressed_, last_;
     glm::dvec3 pivot_{0};
-    QRubberBand* band_;
     QTimer hoverTimer_;
     QVariantAnimation flight_;
-    QTimer brushTold_;  // its numbers are shown while it runs
     size_t framesDrawn_ = 0, trianglesDrawn_ = 0;
 };
 

@@ -212,7 +212,7 @@ public:
     }
 
 private:
-    static constexpr size_t piece = 256, pieces = 64;
+    static constexpr size_t piece = 1024, pieces = 16;
     Tree tree_;
     size_t most_, at_ = 0;
     std::vector<FacePair> found_;

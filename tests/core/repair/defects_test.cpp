@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/mesh/topology.h"
+#include "core/repair/self_intersections.h"
 #include "tests/core/repair/repair_meshes.h"
 #include "tests/data.h"
 
@@ -52,6 +53,32 @@ TEST(Defects, OffendersAreTheElements)
     // The sheet cuts the three upright sides; the doubled one lies on the first face.
     EXPECT_EQ(find(all, "self-intersections").offenders.at(0).indices, (std::vector<uint32_t>{1, 2, 3, 4}));
     EXPECT_EQ(find(defectsOf(p.mesh(), {.selfIntersections = false}), "holes").offenders.size(), 1u);
+}
+
+/// A thousand copies of one triangle, each with vertices of its own: half a million pairs, of which no more are kept than wanted.
+TEST(SelfIntersections, AreBoundedAndTheSameOnEveryRun)
+{
+    Array<glm::vec3> points;
+    Array<uint32_t> corners;
+    for (uint32_t t = 0; t < 1000; ++t)
+        for (const glm::vec3& p : {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)}) {
+            corners.push_back(uint32_t(points.size()));
+            points.push_back(p);
+        }
+    const Mesh mesh = Mesh::triangles(points, corners);
+    EXPECT_EQ(selfIntersectionsOf(mesh).size(), 1000u * 999 / 2);
+    const auto some = selfIntersectionsOf(mesh, {.byPlace = false, .most = 5000});
+    EXPECT_EQ(some.size(), 5000u);
+    EXPECT_EQ(some, selfIntersectionsOf(mesh, {.byPlace = false, .most = 5000}));
+}
+
+TEST(SelfIntersections, ASeamIsNoneByPlace)
+{
+    Polygons p;
+    p.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    p.face({0, 1, 2}).face({4, 3, 5});
+    EXPECT_TRUE(selfIntersectionsOf(p.mesh()).empty());
+    EXPECT_EQ(selfIntersectionsOf(p.mesh(), {.byPlace = false}).size(), 1u);
 }
 
 /// Applies what the list proposes, in its order, once.

@@ -1,6 +1,7 @@
 // Decoding by libpng and libjpeg, bounded in pixels.
 #include "render/image.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <png.h>
 
@@ -132,6 +133,11 @@ size_t fillTexture(const DecodedImage& image, PictureSampling sampling)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, sampling.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, sampling.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE);
+    if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) {  // else what is seen at a slant is blurred both ways
+        GLfloat most = 1;
+        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, 4.f));
+    }
     return image.rgba.size() * 4 / 3;
 }
 

@@ -86,7 +86,7 @@ vec3 normals(vec3 n)
 vec3 zebra(vec3 n)
 {
     const vec3 r = 2 * n.z * n - vec3(0, 0, 1);
-    const float band = std::sin(22 * std::atan2(r.y, std::sqrt(r.x * r.x + r.z * r.z)));
+    const float band = std::sin(14 * std::atan2(r.y, std::sqrt(r.x * r.x + r.z * r.z)));
     return vec3(0.03f) + vec3(0.78f) * glm::smoothstep(-0.25f, 0.25f, band) * (0.75f + 0.25f * n.z);
 }
 

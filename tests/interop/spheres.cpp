@@ -36,7 +36,7 @@ Scene spheres()
     return s;
 }
 
-/// Radiance's format, uncompressed: columns run as atan2(y, -x) of a world with z up, rows from above.
+/// Radiance's format, uncompressed: columns run as atan2(-y, x) of a world with z up, rows from above.
 void writeHdr(const Environment& e, const std::filesystem::path& file, int width)
 {
     const int height = width / 2;
@@ -46,7 +46,7 @@ void writeHdr(const Environment& e, const std::filesystem::path& file, int width
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const double around = 2 * std::numbers::pi * ((x + 0.5) / width - 0.5), up = std::numbers::pi * (0.5 - (y + 0.5) / height);
-            const glm::dvec3 z(-std::cos(around) * std::cos(up), std::sin(around) * std::cos(up), std::sin(up));
+            const glm::dvec3 z(std::cos(around) * std::cos(up), -std::sin(around) * std::cos(up), std::sin(up));
             const glm::vec3 c = radiance(e, glm::vec3(float(z.x), float(z.z), float(-z.y)));
             int exponent = 0;
             const float most = std::max({c.x, c.y, c.z}), scale = most > 1e-9f ? std::frexp(most, &exponent) * 256 / most : 0;

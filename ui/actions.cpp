@@ -90,6 +90,8 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     auto* select = bar->addMenu("Select");
     select->addActions({selectAll, selectNone, invert});
     select->addSeparator();
+    fillSelectElements(select);
+    select->addSeparator();
     select->addActions(pickKinds);
     select->addSeparator();
     select->addActions({hide, hideOthers, showAll});
@@ -175,6 +177,7 @@ void Actions::refresh()
         a->setEnabled(whyNot.isEmpty());
         a->setToolTip(whyNot.isEmpty() ? QString::fromStdString(op.summary) : whyNot);
     }
+    refreshSelectElements();
     const bool ground = edits::activeTerrain(d).value != 0;
     for (QAction* a : terrainEdits) a->setEnabled(ground);
     for (const auto& [a, flag] : flags_) a->setChecked(s_.view.options.*flag);

@@ -25,6 +25,7 @@ struct Actions {
     QList<QAction*> themes;
     QAction *split, *fourViews, *oneView, *linkCameras, *compareBase, *localAxes, *pivotCentre, *copyMeasurement;
     QList<QAction*> pickKinds, shadings, views, tools, addModifiers, addSources, stepThroughs, terrainActions, terrainEdits;
+    QList<QAction*> growths, conversions, searches, defects;  ///< of elements: from the selection, to another kind, in the whole mesh
     QMenu* recent = nullptr;
 
     /// A command: everything the window can do is made here and put into a menu, so that search and the list of shortcuts find it. `key` may
@@ -42,6 +43,9 @@ private:
     QAction* toggle(const QString& text, const QString& icon, const QString& key, const QString& tip, bool ViewOptions::*flag);
     void makeEdit();
     void makeSelect();
+    void makeSelectElements();
+    void fillSelectElements(QMenu* menu);
+    void refreshSelectElements();
     void makeView();
     void makeTools();
     void makeViews();

@@ -4,14 +4,17 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
+#include <algorithm>
 
 #include "core/catalog/catalog.h"
 #include "core/mesh/topology.h"
 #include "ui/panels/inspection.h"
+#include "ui/panels/inspector_rows.h"
 #include "ui/panels/valence_histogram.h"
 #include "ui/session.h"
 
@@ -19,13 +22,16 @@ using namespace mw;
 
 namespace {
 
-// n x n squares of two triangles each, the middle square left out; one more vertex that no face uses.
+// A bowl of n x n squares of two triangles each, the middle square left out; one more vertex that no face uses. Convex: a lid crosses nothing.
 Mesh sheetWithHole(uint32_t n)
 {
     Array<glm::vec3> p;
     Array<uint32_t> t;
     for (uint32_t y = 0; y <= n; ++y)
-        for (uint32_t x = 0; x <= n; ++x) p.push_back({float(x), float(y), 0});
+        for (uint32_t x = 0; x <= n; ++x) {
+            const float u = float(x) - float(n) / 2, v = float(y) - float(n) / 2;
+            p.push_back({float(x), float(y), (u * u + v * v) / float(n)});
+        }
     for (uint32_t y = 0; y < n; ++y)
         for (uint32_t x = 0; x < n; ++x) {
             if (x == n / 2 && y == n / 2) continue;
@@ -69,6 +75,13 @@ struct Desk {
         return found.isEmpty() ? nullptr : found.front();
     }
     QString figure(const char* name) const { return panel->findChild<QLabel*>(QString("inspect-") + name)->text(); }
+    QPushButton* button(const char* name) const { return panel->findChild<QPushButton*>(name); }
+    /// What the evaluation service does, at once.
+    void evaluate()
+    {
+        const MeshId id = document.scene().node(node).mesh;
+        document.setEvaluation(id, std::make_shared<const Evaluation>(Evaluator().evaluate(*document.scene().find(id))));
+    }
     void click(QTreeWidgetItem* item) const
     {
         tree()->scrollToItem(item);
@@ -89,6 +102,10 @@ private slots:
     void loopsThatTouchKeepTheirEdges();
     void manyOffendersAreCapped();
     void repairAddsTheModifier();
+    void repairAllIsOneEntry();
+    void downWalksTheOffenders();
+    void largeMeshesAreMeasuredForIntersectionsOnDemand();
+    void aNewerMeshCancelsTheOlderReport();
     void aBarSelectsItsVertices();
     void withoutAMeshItSaysSo();
 };
@@ -142,6 +159,9 @@ void InspectorTest::passedChecksSayWhatWasChecked()
     QTreeWidgetItem* row = d.row("Non-manifold edges");
     QCOMPARE(row->childCount(), 1);
     QCOMPARE(row->child(0)->text(0), QString("No edge has more than two faces."));
+    // What is wrong is said, too, and the worst comes first.
+    QVERIFY(d.row("Holes")->child(0)->text(0).endsWith('.'));
+    QVERIFY(d.row("Holes")->parent()->indexOfChild(d.row("Holes")) < d.row("Isolated vertices")->parent()->childCount());
 }
 
 void InspectorTest::aCleanMeshHasNothingToFix()
@@ -166,7 +186,7 @@ void InspectorTest::manyOffendersAreCapped()
     for (size_t i = 0; i < p.size(); ++i) p[i].x = float(i);
     const Inspection i = inspect(Mesh(std::move(p), Array<uint32_t>{0, 3}, Array<uint32_t>{0, 1, 2}));
     for (const Finding& f : i.findings)
-        if (f.id == "isolated") {
+        if (f.id == "isolated-vertices") {
             QCOMPARE(f.total, size_t(2997));
             QCOMPARE(f.offenders.size(), Inspection::maxOffenders);
             QCOMPARE(f.all.indices.size(), size_t(2997));
@@ -175,20 +195,104 @@ void InspectorTest::manyOffendersAreCapped()
 
 void InspectorTest::repairAddsTheModifier()
 {
-    if (!findOperation("weld")) QSKIP("no operation mends this yet");
-    const Mesh split =
-        Mesh::triangles(Array<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, Array<uint32_t>{0, 1, 2, 3, 5, 4});
-    Desk d(split);
-    QTRY_VERIFY(d.row("Coincident vertices"));
-    QCOMPARE(d.row("Coincident vertices")->text(1), QString("2"));
-    auto* weld = d.panel->findChild<QPushButton*>("repair-coincident");
-    QVERIFY(weld);
-    QTest::mouseClick(weld, Qt::LeftButton);
-    const Scene& s = d.document.scene();
-    QCOMPARE(s.find(s.node(d.node).mesh)->stack.size(), size_t(1));
-    QCOMPARE(s.find(s.node(d.node).mesh)->stack[0].operation, std::string("weld"));
+    Desk d(sheetWithHole(8));
+    QTRY_VERIFY(d.button("repair-holes"));
+    const auto stack = [&] { return d.document.scene().find(d.document.scene().node(d.node).mesh)->stack; };
+    QTest::mouseClick(d.button("repair-holes"), Qt::LeftButton);
+    QTRY_COMPARE(stack().size(), size_t(1));
+    QCOMPARE(stack()[0].operation, std::string("fill-holes"));
+    QVERIFY(d.row("Holes")->font(0).strikeOut());
+    QVERIFY(!d.button("repair-holes")->isEnabled());
+    QVERIFY(!d.row("Isolated vertices")->font(0).strikeOut());
+    // Taken back, the row stands as before.
     d.document.undo();
-    QVERIFY(d.document.scene().find(s.node(d.node).mesh)->stack.empty());
+    QVERIFY(stack().empty());
+    QVERIFY(!d.row("Holes")->font(0).strikeOut());
+    // The new report takes the row away.
+    QTest::mouseClick(d.button("repair-holes"), Qt::LeftButton);
+    QTRY_COMPARE(stack().size(), size_t(1));
+    d.evaluate();
+    QTRY_VERIFY(!d.button("repair-holes"));
+    QTRY_COMPARE(d.row("Holes")->parent()->text(0), QString("Passed"));
+    QCOMPARE(d.row("Isolated vertices")->text(1), QString("1 vertex"));
+}
+
+void InspectorTest::repairAllIsOneEntry()
+{
+    const Mesh mesh = sheetWithHole(8);
+    Desk d(mesh);
+    QTRY_VERIFY(d.button("inspect-repair-all"));
+    const size_t entries = d.document.history().size();
+    QTest::mouseClick(d.button("inspect-repair-all"), Qt::LeftButton);
+    auto* popup = QApplication::activePopupWidget();
+    QVERIFY(popup);
+    auto* list = popup->findChild<QListWidget*>("repair-all-list");
+    auto* left = popup->findChild<QLabel*>("repair-all-left");
+    QVERIFY(list && left);
+    QCOMPARE(list->count(), 2);  // fill holes, repair
+    QTRY_COMPARE(left->text(), QString("Then nothing is left to fix."));
+    // What is foretold is what the operations do: checked against their own results.
+    const Mesh filled = std::get<Mesh>(apply(operation("fill-holes"), mesh, {}));
+    QVERIFY2(list->item(0)->text().contains(QString("+%1 faces").arg(filled.faceCount() - mesh.faceCount())), qPrintable(list->item(0)->text()));
+    QVERIFY2(list->item(1)->text().contains(QString::fromUtf8("\u22121 vertex")), qPrintable(list->item(1)->text()));
+    // Without the second one its finding stays.
+    list->item(1)->setCheckState(Qt::Unchecked);
+    QTRY_COMPARE(left->text(), QString("Still to fix then: Isolated vertices."));
+    list->item(1)->setCheckState(Qt::Checked);
+    QTest::mouseClick(popup->findChild<QPushButton*>("repair-all-go"), Qt::LeftButton);
+    const Scene& s = d.document.scene();
+    QCOMPARE(s.find(s.node(d.node).mesh)->stack.size(), size_t(2));
+    QCOMPARE(d.document.history().size(), entries + 1);
+    d.evaluate();
+    QTRY_VERIFY(d.row("Nothing to fix"));
+    QVERIFY(d.row("Nothing to fix")->data(0, InspectorRows::SectionFigure).toString().endsWith("checks passed"));
+    d.document.undo();
+    QVERIFY(d.document.scene().find(d.document.scene().node(d.node).mesh)->stack.empty());
+}
+
+void InspectorTest::downWalksTheOffenders()
+{
+    Desk d(sheetWithHole(8));
+    QTRY_VERIFY(d.row("Loop 1"));
+    d.panel->activateWindow();
+    d.tree()->setFocus();
+    QTRY_VERIFY(d.tree()->hasFocus());
+    d.tree()->setCurrentItem(d.row("Holes"));
+    const auto count = [&] { return d.document.selection().elements.indices.size() / 2; };
+    QTRY_COMPARE(count(), size_t(36));  // all of them
+    QTest::keyClick(d.tree(), Qt::Key_Down);
+    QCOMPARE(d.tree()->currentItem(), d.row("Loop 1"));  // over the sentence
+    QCOMPARE(count(), size_t(32));
+    QTest::keyClick(d.tree(), Qt::Key_Down);
+    QCOMPARE(count(), size_t(4));
+    QTest::keyClick(d.tree(), Qt::Key_Up);
+    QCOMPARE(count(), size_t(32));
+}
+
+void InspectorTest::largeMeshesAreMeasuredForIntersectionsOnDemand()
+{
+    Inspection i = inspect(sheetWithHole(400));  // 320,000 faces
+    const auto find = [&] {
+        return std::find_if(i.findings.begin(), i.findings.end(), [](const Finding& f) { return f.id == "self-intersections"; });
+    };
+    QVERIFY(find() != i.findings.end());
+    QVERIFY(!find()->measured && !find()->passed() && !find()->toFix());
+    QVERIFY(find()->explanation.contains(QString::number(300)));
+    i = inspect(sheetWithHole(20));
+    QVERIFY(find() == i.findings.end() || find()->measured);
+}
+
+void InspectorTest::aNewerMeshCancelsTheOlderReport()
+{
+    Desk d(sheetWithHole(300));
+    Scene next = d.document.scene();
+    MeshObject object = *next.find(next.node(d.node).mesh);
+    object.base = sheetWithHole(4);
+    next.set(next.node(d.node).mesh, object);
+    d.document.commit("smaller", next);
+    QTRY_COMPARE(d.figure("faces"), QString::number(30));
+    QTRY_VERIFY(!d.jobs.busy());
+    QCOMPARE(d.figure("faces"), QString::number(30));
 }
 
 void InspectorTest::aBarSelectsItsVertices()

@@ -3,12 +3,10 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <cstring>
-#include <numeric>
-#include <tuple>
 
 #include "core/catalog/catalog.h"
 #include "core/mesh/rings.h"
+#include "core/mesh/select.h"
 #include "ui/panels/look.h"
 
 namespace mw {
@@ -20,202 +18,131 @@ QString tr(const char* text)
     return QCoreApplication::translate("Inspection", text);
 }
 
-using Edge = TopologyReport::Edge;
-
-ElementSet edgeSet(std::vector<Edge> edges)
+QString text(const std::string& s)
 {
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    ElementSet s{ElementKind::Edge, {}};
-    s.indices.reserve(2 * edges.size());
-    for (const Edge& e : edges) s.indices.push_back(e.first), s.indices.push_back(e.second);
-    return s;
+    return QString::fromStdString(s);
 }
 
-ElementSet elementSet(ElementKind kind, std::vector<uint32_t> indices)
+QString counted(ElementKind kind, size_t n)
 {
-    std::sort(indices.begin(), indices.end());
-    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-    return {kind, std::move(indices)};
-}
-
-QString edgeName(Edge e)
-{
-    return tr("Edge %1 – %2").arg(look::count(e.first), look::count(e.second));
-}
-
-bool degenerate(std::span<const uint32_t> face)
-{
-    if (face.size() < 3) return true;
-    std::vector<uint32_t> v(face.begin(), face.end());
-    std::sort(v.begin(), v.end());
-    return std::adjacent_find(v.begin(), v.end()) != v.end();
-}
-
-// Edges of one face only. Needed where a boundary is no simple loop and its vertices alone do not say which edges it has.
-std::vector<Edge> boundaryEdgesOf(const Mesh& mesh)
-{
-    std::vector<Edge> edges;
-    edges.reserve(mesh.cornerCount());
-    for (size_t f = 0; f < mesh.faceCount(); ++f) {
-        const auto face = mesh.face(f);
-        if (degenerate(face)) continue;
-        for (size_t i = 0; i < face.size(); ++i) edges.push_back(std::minmax(face[i], face[(i + 1) % face.size()]));
+    switch (kind) {
+        case ElementKind::Vertex:
+            return look::counted(n, tr("vertex"), tr("vertices"));
+        case ElementKind::Edge:
+            return look::counted(n, tr("edge"), tr("edges"));
+        default:
+            return look::counted(n, tr("face"), tr("faces"));
     }
-    std::sort(edges.begin(), edges.end());
-    std::vector<Edge> once;
-    for (size_t i = 0; i < edges.size();) {
-        size_t j = i + 1;
-        while (j < edges.size() && edges[j] == edges[i]) ++j;
-        if (j == i + 1) once.push_back(edges[i]);
-        i = j;
-    }
-    return once;
 }
 
-std::vector<std::vector<Edge>> loopEdges(const Mesh& mesh, const TopologyReport& r)
-{
-    std::vector<std::vector<Edge>> loops(r.boundaryLoops.size());
-    size_t around = 0;
-    for (const auto& l : r.boundaryLoops) around += l.size();
-    if (around == r.boundaryEdges) {
-        for (size_t i = 0; i < loops.size(); ++i)
-            for (size_t k = 0; k < r.boundaryLoops[i].size(); ++k)
-                loops[i].push_back(std::minmax(r.boundaryLoops[i][k], r.boundaryLoops[i][(k + 1) % r.boundaryLoops[i].size()]));
-        return loops;
-    }
-    std::vector<uint32_t> loopOf(mesh.vertexCount(), none);
-    for (size_t i = 0; i < loops.size(); ++i)
-        for (uint32_t v : r.boundaryLoops[i]) loopOf[v] = uint32_t(i);
-    for (const Edge& e : boundaryEdgesOf(mesh))
-        if (loopOf[e.first] != none) loops[loopOf[e.first]].push_back(e);
-    return loops;
-}
-
-Finding holes(const Mesh& mesh, const TopologyReport& r)
-{
-    Finding f{"holes", tr("Holes"), {}, tr("Every edge has two faces."), {}, {}, r.boundaryLoops.size(), "fill-holes", tr("Fill")};
-    if (f.passed()) {
-        f.title = tr("Closed surface"), f.figure = tr("0 loops");
-        return f;
-    }
-    std::vector<std::vector<Edge>> loops = loopEdges(mesh, r);
-    std::stable_sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
-    f.figure = look::counted(loops.size(), tr("loop"), tr("loops")) + ", " + look::counted(r.boundaryEdges, tr("edge"), tr("edges"));
-    std::vector<Edge> all;
-    for (size_t i = 0; i < loops.size(); ++i) {
-        all.insert(all.end(), loops[i].begin(), loops[i].end());
-        if (i >= Inspection::maxOffenders) continue;
-        f.offenders.push_back({tr("Loop %1").arg(look::count(i + 1)), look::counted(loops[i].size(), tr("edge"), tr("edges")), edgeSet(loops[i])});
-    }
-    f.all = edgeSet(std::move(all));
-    return f;
-}
-
-Finding ofEdges(const char* id, const QString& title, const QString& checked, const std::vector<Edge>& edges, const char* repair, const QString& text)
-{
-    Finding f{id, title, look::counted(edges.size(), tr("edge"), tr("edges")), checked, edgeSet(edges), {}, edges.size(), repair, text};
-    for (size_t i = 0; i < std::min(edges.size(), Inspection::maxOffenders); ++i)
-        f.offenders.push_back({edgeName(edges[i]), {}, edgeSet({edges[i]})});
-    return f;
-}
-
-struct Words {
-    const char* id;
-    QString title, checked, one, many, name;  // name: "Face %1"
-    const char* repair;
-    QString repairText;
+/// What several elements together are called, in this check; empty where an offender is one element.
+struct Group {
+    QString one, many, name;
 };
 
-Finding ofElements(ElementKind kind, const Words& w, const std::vector<uint32_t>& elements)
+Group groupOf(const std::string& id)
 {
-    Finding f{w.id,     w.title,     look::counted(elements.size(), w.one, w.many), w.checked, elementSet(kind, elements), {}, elements.size(),
-              w.repair, w.repairText};
-    for (size_t i = 0; i < std::min(elements.size(), Inspection::maxOffenders); ++i)
-        f.offenders.push_back({w.name.arg(look::count(elements[i])), {}, elementSet(kind, {elements[i]})});
-    return f;
+    if (id == "holes") return {tr("loop"), tr("loops"), tr("Loop %1")};
+    if (id == "tiny-components") return {tr("piece"), tr("pieces"), tr("Piece %1")};
+    if (id == "coincident-vertices") return {tr("place"), tr("places"), tr("Place %1")};
+    if (id == "self-intersections") return {tr("group"), tr("groups"), tr("Group %1")};
+    return {};
 }
 
-// Vertices at exactly the same place, by place.
-Finding coincident(const Mesh& mesh)
+QString repairText(const std::string& id)
 {
-    const auto& p = mesh.positions();
-    std::vector<uint32_t> order(mesh.vertexCount());
-    std::iota(order.begin(), order.end(), 0u);
-    auto key = [&](uint32_t v) { return std::tuple(p[v].x, p[v].y, p[v].z, v); };
-    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
-    Finding f{"coincident", tr("Coincident vertices"), {}, tr("No two vertices are at the same place."), {}, {}, 0, "weld", tr("Weld")};
-    std::vector<uint32_t> all;
-    std::vector<std::vector<uint32_t>> groups;
-    for (size_t i = 0; i < order.size();) {
-        size_t j = i + 1;
-        while (j < order.size() && p[order[j]] == p[order[i]]) ++j;
-        if (j > i + 1) {
-            all.insert(all.end(), order.begin() + long(i), order.begin() + long(j));
-            f.total += j - i - 1;
-            if (groups.size() < Inspection::maxOffenders) groups.emplace_back(order.begin() + long(i), order.begin() + long(j));
-        }
-        i = j;
+    if (id == "holes") return tr("Fill");
+    if (id == "orientation") return tr("Orient");
+    if (id == "coincident-vertices") return tr("Weld");
+    if (id.starts_with("nonmanifold")) return tr("Split");
+    return tr("Delete");
+}
+
+Offender offenderOf(const Group& group, size_t number, const ElementSet& e)
+{
+    if (!group.name.isEmpty()) return {group.name.arg(look::count(number + 1)), counted(e.kind, countOf(e)), e};
+    const auto& i = e.indices;
+    if (e.kind == ElementKind::Edge && i.size() == 2) return {tr("Edge %1 \u2013 %2").arg(look::count(i[0]), look::count(i[1])), {}, e};
+    if (i.size() == 1) return {(e.kind == ElementKind::Vertex ? tr("Vertex %1") : tr("Face %1")).arg(look::count(i[0])), {}, e};
+    return {tr("Group %1").arg(look::count(number + 1)), counted(e.kind, countOf(e)), e};
+}
+
+Finding findingOf(const Defect& d)
+{
+    Finding f;
+    f.id = text(d.id), f.title = text(d.title), f.explanation = text(d.explanation), f.checked = text(d.checked);
+    f.total = d.offenders.size();
+    const Group group = groupOf(d.id);
+    f.all.kind = d.offenders.empty() ? ElementKind::Vertex : d.offenders[0].kind;
+    for (size_t i = 0; i < d.offenders.size(); ++i) {
+        const auto& indices = d.offenders[i].indices;
+        f.all.indices.insert(f.all.indices.end(), indices.begin(), indices.end());
+        if (i < Inspection::maxOffenders) f.offenders.push_back(offenderOf(group, i, d.offenders[i]));
     }
-    std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
-    for (auto& g : groups)
-        f.offenders.push_back({tr("At vertex %1").arg(look::count(g.front())), look::counted(g.size(), tr("vertex"), tr("vertices")),
-                               elementSet(ElementKind::Vertex, g)});
-    f.figure = look::count(f.total);  // how many welding would take away
-    f.all = elementSet(ElementKind::Vertex, std::move(all));
+    f.all = sorted(std::move(f.all));
+    f.figure = counted(f.all.kind, countOf(f.all));
+    if (!group.one.isEmpty()) f.figure = look::counted(f.total, group.one, group.many) + ", " + f.figure;
+    if (const Operation* op = findOperation(d.repair)) {
+        f.repair = d.repair;
+        f.repairValues = parsed(op->parameters, d.repairParameters);
+        f.repairText = repairText(d.id);
+    }
     return f;
 }
 
-std::vector<Finding> findingsOf(const Mesh& mesh, const TopologyReport& r)
+Finding unmeasuredIntersections()
 {
-    std::vector<Finding> all;
-    all.push_back(ofEdges("nonmanifold-edges", tr("Non-manifold edges"), tr("No edge has more than two faces."), r.nonmanifoldEdges,
-                          "split-nonmanifold", tr("Split")));
-    all.push_back(ofElements(ElementKind::Vertex,
-                             {"nonmanifold-vertices", tr("Non-manifold vertices"), tr("The faces at each vertex are one fan."), tr("vertex"),
-                              tr("vertices"), tr("Vertex %1"), "split-nonmanifold", tr("Split")},
-                             r.nonmanifoldVertices));
-    all.push_back(ofEdges("orientation", tr("Inconsistent orientation"), tr("Neighbouring faces turn the same way."), r.inconsistentEdges, "orient",
-                          tr("Orient")));
-    all.push_back(ofElements(ElementKind::Face,
-                             {"degenerate-faces", tr("Degenerate faces"), tr("Every face has three different vertices."), tr("face"), tr("faces"),
-                              tr("Face %1"), "remove-degenerate", tr("Delete")},
-                             r.degenerateFaces));
-    all.push_back(ofElements(ElementKind::Face,
-                             {"duplicate-faces", tr("Duplicate faces"), tr("No two faces have the same vertices."), tr("face"), tr("faces"),
-                              tr("Face %1"), "remove-duplicate-faces", tr("Delete")},
-                             r.duplicateFaces));
-    all.push_back(holes(mesh, r));
-    all.push_back(coincident(mesh));
-    all.push_back(ofElements(ElementKind::Vertex,
-                             {"isolated", tr("Isolated vertices"), tr("Every vertex belongs to a face."), tr("vertex"), tr("vertices"),
-                              tr("Vertex %1"), "delete-isolated", tr("Delete")},
-                             r.isolatedVertices));
-    for (Finding& f : all)
-        if (!findOperation(f.repair)) f.repair.clear();
-    std::stable_partition(all.begin(), all.end(), [](const Finding& f) { return !f.passed(); });
-    return all;
+    Finding f;
+    f.id = "self-intersections", f.title = tr("Self-intersections"), f.figure = tr("not yet");
+    f.explanation = tr("The mesh has over %1 faces: looking for faces that pass through each other takes a while.")
+                        .arg(look::count(Inspection::intersectionFaces));
+    f.measured = false;
+    return f;
 }
 
 }  // namespace
 
 size_t Inspection::toFix() const
 {
-    return size_t(std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.passed(); }));
+    return size_t(std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.toFix(); }));
 }
 
-Inspection inspect(const Mesh& mesh)
+size_t Inspection::passed() const
 {
-    const TopologyReport& r = mesh.topology();
+    return size_t(std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.passed(); }));
+}
+
+std::vector<Mending> Inspection::mendings() const
+{
+    std::vector<Mending> all;
+    for (const Finding& f : findings) {
+        if (!f.toFix() || f.repair.empty()) continue;
+        auto m = std::find_if(all.begin(), all.end(), [&](const Mending& o) { return o.operation == f.repair; });
+        if (m == all.end()) m = all.insert(all.end(), Mending{f.repair, {}, {}});
+        for (const auto& [name, value] : f.repairValues) m->values[name] = value;
+        m->findings += (m->findings.isEmpty() ? "" : ", ") + (m->findings.isEmpty() ? f.title : f.title.toLower());
+    }
+    return all;
+}
+
+Inspection inspect(const Mesh& mesh, bool everything, Progress* progress)
+{
     Inspection i;
     i.mesh = mesh;
+    DefectOptions options;
+    options.selfIntersections = everything || mesh.faceCount() < Inspection::intersectionFaces;
+    const std::vector<Defect> defects = defectsOf(mesh, options, progress);
+    const TopologyReport& r = mesh.topology();
     i.isolated = r.isolatedVertices.size();
     i.vertices = r.vertices - i.isolated;
     i.edges = r.edges, i.faces = r.faces, i.components = r.components;
     i.euler = r.euler, i.genus = r.genus;
     i.valences = r.vertexValences;
     i.regular = i.vertices ? double(r.regularVertices) / double(i.vertices) : 0;
-    i.findings = findingsOf(mesh, r);
+    for (const Defect& d : defects) i.findings.push_back(findingOf(d));
+    if (!options.selfIntersections) i.findings.push_back(unmeasuredIntersections());
+    const auto rank = [](const Finding& f) { return f.toFix() ? 0 : f.measured ? 2 : 1; };
+    std::stable_sort(i.findings.begin(), i.findings.end(), [&](const Finding& a, const Finding& b) { return rank(a) < rank(b); });
     return i;
 }
 

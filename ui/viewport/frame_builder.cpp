@@ -15,7 +15,7 @@ void markSelection(const Session& s, Frame& frame)
     for (DrawObject& o : frame.objects) {
         o.selected = selection.has(o.node) && s.view.pickKind == PickKind::Object && selection.elements.indices.empty();
         o.hovered = s.view.hovered == o.node && s.view.pickKind == PickKind::Object;
-        if (s.view.dimOthers) o.dimmed = o.node != selection.elementsOf;
+        o.dimmed = s.view.dimOthers;  // the marked elements are drawn over it in full
     }
     for (DrawBone& b : frame.bones) {
         b.selected = selection.has(b.node);
@@ -33,6 +33,7 @@ void markSelection(const Session& s, Frame& frame)
     m.indices = selection.elements.indices;
     m.color = glm::vec4(selectedColor, m.kind == ElementKind::Face ? 0.45f : 1.f);
     m.width = m.kind == ElementKind::Vertex ? 8.f : 2.f;
+    m.through = s.view.dimOthers;  // an offender is found from behind, too
     frame.marks.push_back(std::move(m));
 }
 

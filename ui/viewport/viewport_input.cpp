@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "render/bones.h"
+#include "ui/selection_commands.h"
 #include "ui/viewport/brush_tool.h"
 #include "ui/viewport/region_tool.h"
 #include "ui/viewport/step_frame.h"
@@ -128,6 +129,19 @@ void Viewport::mouseReleaseEvent(QMouseEvent* e)
         menu_->popup(e->globalPosition().toPoint());
     }
     showCursor();
+}
+
+// The first click has picked an edge; the second one takes its loop.
+void Viewport::mouseDoubleClickEvent(QMouseEvent* e)
+{
+    if (e->button() == Qt::LeftButton && session_.view.pickKind == PickKind::Edge && !session_.steps.isOpen() &&
+        session_.view.tool == ToolKind::Select) {
+        const auto pick = pickAt(e->position());
+        const auto mark = pick ? hoverMark(*pick, PickKind::Edge) : std::nullopt;
+        if (mark && mark->indices.size() == 2)
+            return selecting::selectLoop(session_, pick->node, mark->indices[0], mark->indices[1], e->modifiers() & Qt::ShiftModifier);
+    }
+    mousePressEvent(e);
 }
 
 // The marker is drawn by the renderer: 78 across, 12 from the corner.

@@ -16,7 +16,6 @@ int runGui(int argc, char** argv)
     if (files.isEmpty())
         window.showWelcome();
     else
-        window.files().open(files.front());
-    if (files.size() > 1) window.files().import(files.mid(1));
+        window.files().openAll(files);
     return app.exec();
 }

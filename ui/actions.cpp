@@ -4,6 +4,7 @@
 #include <QMenuBar>
 
 #include "ui/file_commands.h"
+#include "ui/shortcuts.h"
 #include "ui/stack_edits.h"
 #include "ui/steps/step_subject.h"
 #include "ui/terrain_edits.h"
@@ -22,7 +23,7 @@ QAction* Actions::make(const QString& text, const QString& iconName, const QStri
     }
     QString plain = text;
     plain.remove("...").remove('&');
-    a->setToolTip((tip.isEmpty() ? plain : tip) + (key.isEmpty() ? QString() : " · " + a->shortcut().toString(QKeySequence::NativeText)));
+    setTip(a, tip.isEmpty() ? plain : tip);
     QObject::connect(a, &QAction::triggered, window_, [run = std::move(run)] { run(); });
     (inView ? viewArea_ : window_)->addAction(a);
     return a;
@@ -64,9 +65,14 @@ void Actions::fillRecent()
 {
     recent->clear();
     for (const QString& file : files_.recent()) {
-        auto* a = recent->addAction(QFileInfo(file).fileName(), [this, file] { files_.whenSaved([this, file] { files_.open(file); }); });
-        a->setToolTip(file);
-        a->setEnabled(QFileInfo::exists(file));
+        const bool there = QFileInfo::exists(file);
+        const QString name = QFileInfo(file).fileName();
+        auto* a = recent->addAction(there ? name : "Find " + name + "...", [this, file, there] {
+            if (!there) return files_.findRecent(file);
+            files_.whenSaved([this, file] { files_.open(file); });
+        });
+        a->setToolTip(there ? file : file + " is not there any more");
+        a->setProperty("passing", true);  // no command of its own: no keys, not in the list of shortcuts
     }
     recent->setEnabled(!recent->isEmpty());
 }
@@ -76,6 +82,7 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     auto* file = bar->addMenu("File");
     file->addAction(open);
     recent = file->addMenu("Open recent");
+    recent->menuAction()->setProperty("passing", true);
     fillRecent();
     QObject::connect(&files_, &FileCommands::recentChanged, window_, [this] { fillRecent(); });
     file->addAction(import);
@@ -93,6 +100,8 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     fillSelectElements(select);
     select->addSeparator();
     select->addActions(pickKinds);
+    select->addAction(nextPickKind);
+    select->addMenu("Tool")->addActions(tools);
     select->addSeparator();
     select->addActions({hide, hideOthers, showAll});
     auto* view = bar->addMenu("View");
@@ -160,26 +169,30 @@ QMenu* Actions::contextMenu(QWidget* parent) const
 void Actions::refresh()
 {
     const Document& d = s_.document;
-    undo->setEnabled(d.canUndo());
-    redo->setEnabled(d.canRedo());
+    const auto enable = [](QAction* a, bool can, const char* whyNot) {
+        a->setEnabled(can);
+        a->setProperty("whyNot", can ? QVariant() : QVariant(whyNot));
+    };
+    enable(undo, d.canUndo(), "Nothing to undo");
+    enable(redo, d.canRedo(), "Nothing to redo");
     const QString undoName = QString::fromStdString(d.undoName()), redoName = QString::fromStdString(d.redoName());
     undo->setText(d.canUndo() ? "Undo " + undoName : "Undo");
     redo->setText(d.canRedo() ? "Redo " + redoName : "Redo");
-    undo->setToolTip(d.canUndo() ? "Undo: " + undoName + " · Ctrl+Z" : "Nothing to undo");
-    redo->setToolTip(d.canRedo() ? "Redo: " + redoName + " · Ctrl+Shift+Z" : "Nothing to redo");
+    setTip(undo, d.canUndo() ? "Undo: " + undoName : "Nothing to undo");
+    setTip(redo, d.canRedo() ? "Redo: " + redoName : "Nothing to redo");
     const bool any = !d.selection().nodes.empty();
     const bool mesh = edits::activeMesh(d).value != 0;
-    for (QAction* a : {remove, rename, hide, hideOthers}) a->setEnabled(any);
-    for (QAction* a : addModifiers) a->setEnabled(mesh);
+    for (QAction* a : {remove, rename, hide, hideOthers}) enable(a, any, "Select a node first");
+    for (QAction* a : addModifiers) enable(a, mesh, "Select a mesh first");
     for (QAction* a : stepThroughs) {
         const Operation& op = operation(a->data().toString().toStdString());
         const QString whyNot = whyNotSteppable(s_, op);
-        a->setEnabled(whyNot.isEmpty());
-        a->setToolTip(whyNot.isEmpty() ? QString::fromStdString(op.summary) : whyNot);
+        enable(a, whyNot.isEmpty(), qPrintable(whyNot));
+        setTip(a, whyNot.isEmpty() ? QString::fromStdString(op.summary) : whyNot);
     }
     refreshSelectElements();
     const bool ground = edits::activeTerrain(d).value != 0;
-    for (QAction* a : terrainEdits) a->setEnabled(ground);
+    for (QAction* a : terrainEdits) enable(a, ground, "Add a terrain first");
     for (const auto& [a, flag] : flags_) a->setChecked(s_.view.options.*flag);
     perspective->setChecked(s_.view.camera.perspective);
     compareBase->setEnabled(mesh);

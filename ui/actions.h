@@ -21,7 +21,7 @@ struct Actions {
     QAction *undo, *redo, *remove, *rename, *duplicate;
     QAction *selectAll, *selectNone, *invert, *hide, *hideOthers, *showAll;
     QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *bones, *picture, *resetCamera;
-    QAction* reducedMotion;
+    QAction *reducedMotion, *nextPickKind;
     QList<QAction*> themes;
     QAction *split, *fourViews, *oneView, *linkCameras, *compareBase, *localAxes, *pivotCentre, *copyMeasurement;
     QList<QAction*> pickKinds, shadings, views, tools, addModifiers, addSources, stepThroughs, terrainActions, terrainEdits;

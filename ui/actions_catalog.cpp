@@ -16,6 +16,7 @@ void Actions::makeCatalog()
                 if (const MeshId m = edits::activeMesh(s_.document)) edits::addModifier(s_.document, m, op);
             });
             a->setData(QString::fromStdString(op.category));
+            a->setProperty("command", "meshwright process FILE --op " + QString::fromStdString(op.id) + " -o OUT.glb");
             addModifiers << a;
         }
         if (op.accepts == Kind::Nothing && op.yields == Kind::Mesh)

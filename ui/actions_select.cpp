@@ -54,6 +54,10 @@ void Actions::makeSelect()
         pickKinds << a;
     }
     makeSelectElements();
+    nextPickKind = make("Next kind to pick", "", "", "Objects, vertices, edges, faces, joints, and again", [&s] {
+        s.view.pickKind = PickKind((int(s.view.pickKind) + 1) % 5);
+        s.view.touch();
+    });
 }
 
 }  // namespace mw

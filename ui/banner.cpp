@@ -26,6 +26,7 @@ Banner::Banner(QWidget* parent) : QWidget(parent)
     text_->setFocusPolicy(Qt::NoFocus);
     more_ = new QPushButton(this);
     more_->setFocusPolicy(Qt::TabFocus);
+    more_->setToolTip("What was odd about the file, and what was done about it");
     auto* close = new QToolButton(this);
     close->setIcon(mw::icon("x", tokens().text2));
     close->setAccessibleName("Close message");
@@ -68,6 +69,7 @@ void Banner::show(const QString& text, const char* iconName, QColor Tokens::*col
 
 void Banner::notice(const QString& text, const std::vector<Warning>& warnings)
 {
+    sinceTrouble_.invalidate();
     show(text, warnings.empty() ? "ok" : "warning", warnings.empty() ? &Tokens::success : &Tokens::warning);
     if (warnings.empty()) return timer_->start(6000);
     more_->setText(counted(warnings.size(), "warning", "warnings") + ": show");
@@ -80,7 +82,15 @@ void Banner::notice(const QString& text, const std::vector<Warning>& warnings)
 
 void Banner::trouble(const QString& text)
 {
-    show(text, "error", &Tokens::error);
+    const bool more = isVisible() && sinceTrouble_.isValid() && sinceTrouble_.elapsed() < 1500 && text_->text().count('\n') < 4;
+    show(more ? text_->text() + '\n' + text : text, "error", &Tokens::error);
+    sinceTrouble_.start();
+}
+
+void Banner::ask(const QString& text)
+{
+    show(text, "help", &Tokens::accentText);
+    sinceTrouble_.invalidate();
 }
 
 void Banner::offer(const QString& verb, const QString& tip, std::function<void()> run)
@@ -88,7 +98,10 @@ void Banner::offer(const QString& verb, const QString& tip, std::function<void()
     auto* b = new QPushButton(verb, this);
     b->setFocusPolicy(Qt::TabFocus);
     b->setToolTip(tip);
-    connect(b, &QPushButton::clicked, this, [run = std::move(run)] { run(); });
+    connect(b, &QPushButton::clicked, this, [this, run = std::move(run)] {
+        timer_->start(15000);  // time to read what is asked, and then it goes
+        run();
+    });
     line_->insertWidget(line_->indexOf(more_), b);
     offers_ << b;
     b->show();

@@ -1,6 +1,7 @@
 // A line above the view: what was read, what could not be done. Never a dialog.
 #pragma once
 #include <QColor>
+#include <QElapsedTimer>
 #include <QWidget>
 #include <functional>
 #include <vector>
@@ -23,7 +24,8 @@ class Banner : public QWidget {
 public:
     explicit Banner(QWidget* parent);
     void notice(const QString& text, const std::vector<Warning>& warnings);  ///< goes by itself unless there are warnings
-    void trouble(const QString& text);
+    void trouble(const QString& text);                                       ///< several within a second and a half are shown together
+    void ask(const QString& text);                                           ///< stays until something is chosen of what is offered
     /// One more thing to do about what it says, until it says something else.
     void offer(const QString& verb, const QString& tip, std::function<void()> run);
     QString text() const;
@@ -36,6 +38,7 @@ private:
     QList<QPushButton*> offers_;
     QPushButton* more_;
     QTimer* timer_;
+    QElapsedTimer sinceTrouble_;
 };
 
 }  // namespace mw

@@ -6,9 +6,11 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "core/io/io.h"
+#include "core/io/preflight.h"
 #include "core/scene/adopt_clips.h"
 #include "ui/evaluation_service.h"
+#include "ui/placement_words.h"
+#include "ui/words.h"
 
 namespace mw {
 namespace {
@@ -65,14 +67,14 @@ QString FileCommands::title() const
     return file.empty() ? "Untitled" : nameOf(QString::fromStdU16String(file.u16string()));
 }
 
-void FileCommands::open(const QString& file)
+void FileCommands::open(const QString& file, std::function<void()> then)
 {
     session_.jobs.start(
         "Open " + nameOf(file),
-        [this, file](Progress& progress) -> std::function<void()> {
-            auto read = std::make_shared<Imported>(readFile(pathOf(file), &progress));
+        [this, file, then](Progress& progress) -> std::function<void()> {
+            auto read = std::make_shared<Imported>(readFile(pathOf(file), &progress, keptPlacement(file)));
             warmAll(read->scene);
-            return [this, file, read] {
+            return [this, file, read, then] {
                 session_.steps.close();
                 session_.view.shownLevel.clear();
                 project_ = read->project;
@@ -81,12 +83,53 @@ void FileCommands::open(const QString& file)
                 if (!nodes.empty()) session_.document.select({nodes, {}, {}});
                 remember(file);
                 emit opened();
-                const QString units = read->units == "unknown" || read->units.empty() ? "in metres (the file does not say)"
-                                                                                      : "in " + QString::fromStdString(read->units);
-                emit notice(QString("Read %1 as %2, %3.").arg(nameOf(file), QString::fromStdString(read->format), units), read->warnings);
+                sayRead("Read", file, *read, session_.document.scene().roots());
+                if (then) then();
             };
         },
         [this](const QString& text) { emit trouble(text + " The open scene is as it was."); });
+}
+
+void FileCommands::openAll(const QStringList& files)
+{
+    if (files.isEmpty()) return;
+    open(files.front(), [this, rest = files.mid(1)] { import(rest); });
+}
+
+bool FileCommands::showsWelcomeScene() const
+{
+    const auto& history = session_.document.history();
+    return session_.document.scene().nodes().empty() || (history.size() == 1 && history.front().name == "Welcome scene");
+}
+
+void FileCommands::sayRead(const QString& verb, const QString& file, const Imported& read, const std::vector<NodeId>& roots)
+{
+    if (read.project || (read.scene.meshes().empty() && !read.scene.terrains().empty()))  // metres by their nature
+        return emit notice(QString("%1 %2.").arg(verb, nameOf(file)), read.warnings);
+    const ImportOptions kept = keptPlacement(file);
+    const bool chosen = kept.up || kept.metresPerUnit;
+    const QString who = chosen ? "chosen for such files" : read.placementFromFile ? "from the file" : "assumed";
+    emit notice(QString("%1 %2 (%3) as %4 (%5).").arg(verb, nameOf(file), QString::fromStdString(read.format), placementText(read.placement), who),
+                read.warnings);
+    emit placed(file, read.placement, read.placementFromFile, roots);
+}
+
+ImportOptions FileCommands::keptPlacement(const QString& file)
+{
+    QSettings settings;
+    const QString key = "import/" + QFileInfo(file).suffix().toLower();
+    if (!settings.contains(key + "/unit")) return {};
+    const double unit = settings.value(key + "/unit").toDouble();
+    const int up = settings.value(key + "/up").toInt();
+    if (!(unit > 0 && unit < 1e9) || up < 0 || up > 2) return {};
+    return {unit, UpAxis(up)};
+}
+
+void FileCommands::keepPlacement(const QString& file, const Placement& placement)
+{
+    const QString key = "import/" + QFileInfo(file).suffix().toLower();
+    QSettings().setValue(key + "/unit", placement.metresPerUnit);
+    QSettings().setValue(key + "/up", int(placement.up));
 }
 
 void FileCommands::openScene(Scene scene, const QString& historyName)
@@ -106,7 +149,7 @@ void FileCommands::import(const QStringList& files)
         session_.jobs.start(
             "Import " + nameOf(file),
             [this, file](Progress& progress) -> std::function<void()> {
-                auto read = std::make_shared<Imported>(readFile(pathOf(file), &progress));
+                auto read = std::make_shared<Imported>(readFile(pathOf(file), &progress, keptPlacement(file)));
                 warmAll(read->scene);
                 return [this, file, read] {
                     Scene next = session_.document.scene();
@@ -115,7 +158,7 @@ void FileCommands::import(const QStringList& files)
                     session_.document.commit("Import " + nameOf(file).toStdString(), std::move(next), {roots, {}, {}});
                     remember(file);
                     emit added(roots);
-                    emit notice("Added " + nameOf(file) + " to the scene.", read->warnings);
+                    sayRead("Added", file, *read, roots);
                 };
             },
             [this](const QString& text) { emit trouble(text + " The open scene is as it was."); });
@@ -154,14 +197,27 @@ void FileCommands::saveTo(const QString& file, std::function<void()> then)
         [this](const QString& text) { emit trouble("Not saved. " + text); });
 }
 
-void FileCommands::exportTo(const QString& file)
+void FileCommands::exportTo(const QString& file, const WriteOptions& options, bool onlySelected)
 {
-    const auto scene = session_.document.snapshot();
+    const auto whole = session_.document.snapshot();
+    const std::vector<NodeId> selected = session_.document.selection().nodes;
     session_.jobs.start(
         "Export " + nameOf(file),
-        [this, file, scene, evaluator = session_.evaluations->evaluator()](Progress& progress) -> std::function<void()> {
-            const auto lost = writeFile(*scene, pathOf(file), {.evaluator = evaluator.get()}, &progress);
-            return [this, file, lost] { emit notice("Exported " + nameOf(file) + ".", lost); };
+        [this, file, whole, selected, options, onlySelected,
+         evaluator = session_.evaluations->evaluator()](Progress& progress) -> std::function<void()> {
+            const Scene scene = onlySelected ? onlyNodes(*whole, selected) : *whole;
+            WriteOptions o = options;
+            o.evaluator = evaluator.get();
+            const auto lost = writeFile(scene, pathOf(file), o, &progress);
+            const ExportedAmount amount = amountOf(scene, [&](MeshId id) { return evaluator->evaluate(*scene.find(id), &progress).result(); });
+            return [this, file, lost, amount] {
+                QStringList parts;
+                if (amount.meshes) parts << counted(amount.meshes, "mesh", "meshes") << counted(amount.faces, "face", "faces");
+                if (amount.terrains) parts << counted(amount.terrains, "terrain", "terrains");
+                if (amount.clips) parts << counted(amount.clips, "clip", "clips");
+                parts << sizeText(QFileInfo(file).size());
+                emit notice("Exported " + nameOf(file) + ": " + parts.join(", ") + ".", lost);
+            };
         },
         [this](const QString& text) { emit trouble("Not exported. " + text); });
 }
@@ -198,9 +254,12 @@ void FileCommands::saveDialog(std::function<void()> then)
 
 void FileCommands::exportDialog()
 {
-    QString file =
-        QFileDialog::getSaveFileName(window_, "Export the evaluated scene", QFileInfo(title()).completeBaseName() + ".glb", filterOf(true, {}));
-    if (!file.isEmpty()) exportTo(QFileInfo(file).suffix().isEmpty() ? file + ".glb" : file);
+    emit exportWanted();
+}
+
+QString FileCommands::writeFilter()
+{
+    return filterOf(true, {});
 }
 
 void FileCommands::whenSaved(std::function<void()> then)

@@ -5,14 +5,12 @@
 #include <filesystem>
 #include <functional>
 
-#include "core/error.h"
+#include "core/io/io.h"
 #include "ui/session.h"
 
 class QWidget;
 
 namespace mw {
-
-struct Imported;
 
 class FileCommands : public QObject {
     Q_OBJECT
@@ -21,10 +19,11 @@ public:
     FileCommands(Session& session, QWidget* window);
 
     // Without dialogs: these return at once, a job does the rest.
-    void open(const QString& file);
-    void import(const QStringList& files);  ///< adds to the scene
+    void open(const QString& file, std::function<void()> then = {});
+    void openAll(const QStringList& files);  ///< the first one, then the others are added to it
+    void import(const QStringList& files);   ///< adds to the scene
     void saveTo(const QString& file, std::function<void()> then = {});
-    void exportTo(const QString& file);
+    void exportTo(const QString& file, const WriteOptions& options = {}, bool onlySelected = false);
     void openScene(Scene scene, const QString& historyName);
 
     // With dialogs.
@@ -40,6 +39,12 @@ public:
     /// Asks where a recent file has gone to; it then takes its place in the list, or leaves it.
     void findRecent(const QString& file);
     static QString readFilter();
+    static QString writeFilter();
+    /// What the user chose for files of this ending, last time; nothing: as the file says.
+    static ImportOptions keptPlacement(const QString& file);
+    static void keepPlacement(const QString& file, const Placement& placement);
+    /// Nothing but what the program showed at its start: a dropped file takes its place.
+    bool showsWelcomeScene() const;
     /// The name of what is open, for the title.
     QString title() const;
 
@@ -48,12 +53,16 @@ signals:
     void added(std::vector<mw::NodeId> nodes);
     void trouble(const QString& text);                                           ///< could not; the scene is as it was
     void notice(const QString& text, const std::vector<mw::Warning>& warnings);  ///< done
+    /// A file has been read: what its numbers were taken for, and by whom. `roots` are what came in.
+    void placed(const QString& file, const mw::Placement& placement, bool fromFile, const std::vector<mw::NodeId>& roots);
+    void exportWanted();
     void recentChanged();
     void remembered(const QString& file);  ///< opened or saved
 
 private:
     void remember(const QString& file);
-    bool takeMotion(const QString& file, const struct Imported& read);
+    bool takeMotion(const QString& file, const Imported& read);
+    void sayRead(const QString& verb, const QString& file, const Imported& read, const std::vector<NodeId>& roots);
     Session& session_;
     QWidget* window_;
     bool project_ = false;  // the open file is one of ours

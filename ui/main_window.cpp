@@ -3,23 +3,28 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QDropEvent>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
 #include <QTimer>
+#include <algorithm>
 
 #include "core/scene/samples.h"
 #include "ui/actions.h"
 #include "ui/banner.h"
 #include "ui/command_search.h"
+#include "ui/drop_target.h"
 #include "ui/evaluation_service.h"
+#include "ui/export_sheet.h"
 #include "ui/file_commands.h"
+#include "ui/findables.h"
+#include "ui/help.h"
 #include "ui/panels/timeline.h"
+#include "ui/placement_words.h"
 #include "ui/playback.h"
+#include "ui/shortcuts_sheet.h"
 #include "ui/status_strip.h"
 #include "ui/steps/transport_strip.h"
 #include "ui/terrain_edits.h"
@@ -45,7 +50,6 @@ MainWindow::MainWindow()
     setObjectName("mainWindow");
     setMinimumSize(1100, 700);
     resize(1600, 1000);
-    setAcceptDrops(true);
     view_->options.theme = currentTheme();
     files_ = new FileCommands(session_, this);
     makeCentre();
@@ -101,9 +105,25 @@ void MainWindow::makeMenus()
     workspaces_ = new Workspaces(session_, this);
     fillWindowMenu(windowMenu);
     fillHelpMenu(help);
+    for (QAction* menu : menuBar()->actions())
+        if (menu->text() == "Edit") {
+            menu->menu()->addSeparator();
+            menu->menu()->addAction(actions_->make("Shortcuts...", "", "", "See and change the keys of every command",
+                                                   [this] { (new ShortcutsSheet(*shortcuts_, centre_))->open(); }));
+        }
     bar_ = new MainToolBar(*actions_, *workspaces_, this);
     addToolBar(bar_);
     connect(bar_->searchField(), &QPushButton::clicked, this, &MainWindow::searchCommands);
+    auto* drops = new DropTarget(*files_, *banner_, this, bar_, centre_);
+    connect(drops, &DropTarget::dropped, this, [this] {
+        if (welcome_) welcome_->hide();
+    });
+    connect(drops, &DropTarget::heightMapWanted, this, [this](const QString& file) {
+        edits::importPicture(session_, file, true, [this](const QString& why) {
+            if (!why.isEmpty()) banner_->trouble(why);
+        });
+    });
+    shortcuts_ = new Shortcuts(menuBar(), this);
     actions_->themeChanged = [this] { workspaces_->remakePanels(); };
 }
 
@@ -121,6 +141,8 @@ void MainWindow::fillWindowMenu(QMenu* menu)
     spaces->addAction(a.make("Last workspace", "", "Ctrl+PgUp", "", [this] { stepWorkspace(-1); }));
     spaces->addAction(
         a.make("Save layout as workspace...", "plus", "", "Keep the layout of panels under a name of its own", [this] { bar_->askForName(); }));
+    menu->addAction(a.make("Next panel", "", "F6", "The focus to the next panel, in reading order", [this] { focusPanel(1); }));
+    menu->addAction(a.make("Last panel", "", "Shift+F6", "The focus to the panel before", [this] { focusPanel(-1); }));
     menu->addAction(a.make("Reset layout", "", "", "Panels where they were at first", [this] { workspaces_->reset(); }));
     menu->addSeparator();
     menu->addAction(a.make("Hide or show all panels", "", "Ctrl+\\", "The view alone, and back", [this] { workspaces_->toggleAll(); }));
@@ -132,6 +154,9 @@ void MainWindow::fillHelpMenu(QMenu* menu)
 {
     Actions& a = *actions_;
     menu->addAction(a.make("Search commands and settings", "search", "Ctrl+K", "Find anything by its words", [this] { searchCommands(); }));
+    menu->addAction(a.make("Help on what is under the cursor", "help", "F1", "Says what it is and does", [this] { showHelpOnWidget(this); }));
+    menu->addAction(a.make("Keyboard reference", "book", "", "Every key, and what the mouse does in the view",
+                           [this] { showKeyboardReference(*shortcuts_, centre_); }));
     menu->addAction(a.make("Welcome", "help", "", "Recent files, samples and lessons over the view", [this] {
         if (!welcome_) return showWelcome();
         welcome_->show();
@@ -168,6 +193,8 @@ void MainWindow::listen()
     connect(files_, &FileCommands::added, this, [this] { views_->active().frameAll(); });
     connect(steps_.get(), &StepSession::opened, this, [this] { workspaces_->change("Learn"); });
     connect(steps_.get(), &StepSession::opened, playback_.get(), &Playback::pause);
+    connect(files_, &FileCommands::placed, this, &MainWindow::offerPlacement);
+    connect(files_, &FileCommands::exportWanted, this, [this] { (new ExportSheet(session_, *files_, centre_))->open(); });
     connect(files_, &FileCommands::opened, banner_, &QWidget::hide);  // it spoke of another scene
     connect(files_, &FileCommands::remembered, this, &MainWindow::keepThumbnail);
     status_->setHint("Click picks · Drag orbits · Shift+drag boxes · Right-drag pans · F frames");
@@ -195,16 +222,11 @@ void MainWindow::refreshTitle()
 
 void MainWindow::searchCommands()
 {
-    QList<QAction*> all;
-    const auto collect = [&](auto&& self, QMenu* menu) -> void {
-        for (QAction* a : menu->actions())
-            if (a->menu())
-                self(self, a->menu());
-            else if (!a->isSeparator())
-                all << a;
-    };
-    for (QAction* a : menuBar()->actions()) collect(collect, a->menu());
-    showCommandSearch(bar_->searchField(), all);
+    auto* search = new CommandSearch(findables(session_, *shortcuts_, *workspaces_), this);
+    connect(search, &CommandSearch::said, status_, &StatusStrip::say);
+    connect(search, &CommandSearch::helpWanted, this,
+            [this](const QString& title, const QString& text) { showHelp(this, title, text, bar_->searchField()->mapToGlobal(QPoint(-100, 34))); });
+    search->openBelow(bar_->searchField());
 }
 
 void MainWindow::showWelcome()
@@ -274,26 +296,36 @@ void MainWindow::closeEvent(QCloseEvent* e)
     e->accept();
 }
 
-void MainWindow::dragEnterEvent(QDragEnterEvent* e)
+// Panels in reading order, the view among them; the focus goes to what had it there last, or the first that takes it.
+void MainWindow::focusPanel(int by)
 {
-    if (!e->mimeData()->hasUrls()) return;
-    status_->say(e->position().y() < header_->mapTo(this, QPoint(0, 0)).y() ? "Drop here to open" : "Drop here to add to the scene");
-    e->acceptProposedAction();
+    std::vector<QWidget*> stops{viewport_};
+    for (QDockWidget* d : findChildren<QDockWidget*>())
+        if (d->isVisible() && d->widget() && !d->visibleRegion().isEmpty()) stops.push_back(d);
+    std::sort(stops.begin(), stops.end(), [this](QWidget* a, QWidget* b) {
+        const QPoint p = a->mapTo(this, QPoint()), q = b->mapTo(this, QPoint());
+        return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y());
+    });
+    const QWidget* now = QApplication::focusWidget();
+    size_t here = 0;
+    for (size_t i = 0; i < stops.size(); ++i)
+        if (now && (stops[i] == now || stops[i]->isAncestorOf(now))) here = i;
+    for (size_t tried = 0; tried < stops.size(); ++tried) {
+        here = (here + stops.size() + size_t(by + int(stops.size()))) % stops.size();
+        QWidget* stop = stops[here];
+        if (stop == viewport_) return viewport_->setFocus(Qt::ShortcutFocusReason);
+        QWidget* const inside = static_cast<QDockWidget*>(stop)->widget();
+        for (QWidget* w = inside; w; w = w->nextInFocusChain()) {
+            if (w != inside && !inside->isAncestorOf(w)) break;
+            if (w->isVisible() && w->isEnabled() && (w->focusPolicy() & Qt::TabFocus)) return w->setFocus(Qt::TabFocusReason);
+        }
+    }
 }
 
-void MainWindow::dropEvent(QDropEvent* e)
+void MainWindow::offerPlacement(const QString& file, const Placement& placement, bool, const std::vector<NodeId>& roots)
 {
-    QStringList names;
-    for (const QUrl& url : e->mimeData()->urls())
-        if (url.isLocalFile()) names << url.toLocalFile();
-    if (names.isEmpty()) return;
-    if (welcome_) welcome_->hide();
-    const bool onBar = e->position().y() < header_->mapTo(this, QPoint(0, 0)).y();
-    if (onBar || document_.scene().nodes().empty())
-        files_->whenSaved([this, file = names.front()] { files_->open(file); });
-    else
-        files_->import(names);
-    e->acceptProposedAction();
+    banner_->offer("Change...", "Read its numbers in another unit, or with another axis up",
+                   [this, file, placement, roots] { askForPlacement(session_, file, placement, roots, banner_); });
 }
 
 }  // namespace mw

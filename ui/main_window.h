@@ -17,6 +17,8 @@ class StatusStrip;
 class ViewArea;
 class Viewport;
 class WelcomeCard;
+class DropTarget;
+class Shortcuts;
 class Workspaces;
 struct Actions;
 
@@ -34,12 +36,11 @@ public:
     Workspaces& workspaces() { return *workspaces_; }
     Banner& banner() { return *banner_; }
     EvaluationService& evaluations() { return *evaluations_; }
+    Shortcuts& shortcuts() { return *shortcuts_; }
     void showWelcome();  ///< the scene the program makes, and the card over it
 
 protected:
     void closeEvent(QCloseEvent* e) override;
-    void dragEnterEvent(QDragEnterEvent* e) override;
-    void dropEvent(QDropEvent* e) override;
     void showEvent(QShowEvent* e) override;
 
 private:
@@ -54,6 +55,8 @@ private:
     void aimAboveWelcome();
     void keepThumbnail(const QString& file);
     void stepWorkspace(int by);
+    void focusPanel(int by);
+    void offerPlacement(const QString& file, const struct Placement& placement, bool fromFile, const std::vector<NodeId>& roots);
 
     Document document_;
     std::unique_ptr<Jobs> jobs_;
@@ -71,6 +74,7 @@ private:
     StatusStrip* status_ = nullptr;
     WelcomeCard* welcome_ = nullptr;
     MainToolBar* bar_ = nullptr;
+    Shortcuts* shortcuts_ = nullptr;
     QWidget *header_ = nullptr, *centre_ = nullptr;
     std::shared_ptr<void> subscription_;
     bool closing_ = false;

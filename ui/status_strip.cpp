@@ -21,6 +21,9 @@ StatusStrip::StatusStrip(Session& session, QWidget* parent) : QStatusBar(parent)
     job_ = new QToolButton(this);
     job_->setText("No jobs");
     job_->setFocusPolicy(Qt::TabFocus);
+    job_->setToolTip("Opens the list of jobs");
+    selection_->setToolTip("What is selected");
+    counts_->setToolTip("Vertices, edges and faces of what is shown");
     bar_ = new QProgressBar(this);
     bar_->setFixedWidth(90);
     bar_->setTextVisible(false);
@@ -28,6 +31,8 @@ StatusStrip::StatusStrip(Session& session, QWidget* parent) : QStatusBar(parent)
     cancel_ = new QToolButton(this);
     cancel_->setIcon(icon("x", tokens().text2));
     cancel_->setAccessibleName("Cancel job");
+    cancel_->setToolTip("Cancel the job; the scene stays as it is");
+    bar_->setAccessibleName("Progress of the job");
     cancel_->setFocusPolicy(Qt::TabFocus);
     addWidget(hint_, 1);
     for (QWidget* w : {static_cast<QWidget*>(selection_), static_cast<QWidget*>(counts_), static_cast<QWidget*>(job_), static_cast<QWidget*>(bar_),
@@ -89,13 +94,32 @@ void StatusStrip::refresh()
     }
     if (const TerrainObject* ground = n && n->terrain ? scene.find(n->terrain) : nullptr; ground && !mesh)
         return counts_->setText(grouped(ground->terrain.map.width()) + " \u00d7 " + grouped(ground->terrain.map.height()) + " heights");
-    if (!mesh) return counts_->clear();
+    if (!mesh) return counts_->setText(allCounts());
     // Edges are counted where the list is there already: never here.
     QString text = "V " + grouped(mesh->vertexCount());
     const bool counted = session_.document.evaluation(n ? n->mesh : MeshId{}) != nullptr && !session_.steps.isOpen();
     if (counted && mesh->positions().id() == session_.document.shownMesh(n->mesh).positions().id())
         text += " · E " + grouped(mesh->edges().size() / 2);
     counts_->setText(text + " · F " + grouped(mesh->faceCount()));
+}
+
+// With nothing selected: everything that is shown, together.
+QString StatusStrip::allCounts() const
+{
+    const Scene& scene = session_.document.scene();
+    size_t vertices = 0, faces = 0;
+    const auto visit = [&](auto&& self, NodeId id) -> void {
+        const Node& n = scene.node(id);
+        if (!n.visible) return;
+        if (n.mesh) {
+            const Mesh m = shownMesh(session_, n.mesh);
+            vertices += m.vertexCount();
+            faces += m.faceCount();
+        }
+        for (const NodeId child : n.children) self(self, child);
+    };
+    for (const NodeId root : scene.roots()) visit(visit, root);
+    return vertices ? "All: V " + grouped(vertices) + " · F " + grouped(faces) : QString();
 }
 
 void StatusStrip::refreshJob()

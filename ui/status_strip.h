@@ -25,6 +25,7 @@ signals:
 private:
     void refresh();
     void refreshJob();
+    QString allCounts() const;
     Session& session_;
     QLabel *hint_, *selection_, *counts_;
     QToolButton *job_, *cancel_;

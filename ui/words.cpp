@@ -28,6 +28,16 @@ QString nodeName(const Scene& scene, NodeId id)
         .arg(id.value);
 }
 
+QString sizeText(qint64 bytes)
+{
+    if (bytes < 1000) return counted(size_t(std::max<qint64>(0, bytes)), "byte", "bytes");
+    const char* units[] = {"kB", "MB", "GB"};
+    double v = double(bytes);
+    int unit = -1;
+    while (v >= 1000 && unit < 2) v /= 1000, ++unit;
+    return QString::number(v, 'f', v < 10 ? 1 : 0) + ' ' + units[unit];
+}
+
 QString timeText(double seconds)
 {
     if (seconds < 0.0005) return "0 ms";

@@ -36,14 +36,15 @@ std::string freeName(const Scene& scene, const std::string& name);
 void requireStill(const Scene& scene, NodeId node, const char* what);
 
 // The edits, by file; edit.cpp joins them.
-std::vector<Edit> sceneEdits();     // edit_scene.cpp: what comes and goes
-std::vector<Edit> fileEdits();      // core/io/edit_files.cpp: what comes from files
-std::vector<Edit> nodeEdits();      // edit_nodes.cpp: names, places, what is shown
-std::vector<Edit> meshEdits();      // edit_mesh.cpp: faces, edges and vertices of meshes
-std::vector<Edit> elementEdits();   // edit_elements.cpp: elements in their places
-std::vector<Edit> stackEdits();     // edit_stack.cpp: modifiers
-std::vector<Edit> materialEdits();  // edit_material.cpp: slots and materials
-std::vector<Edit> terrainEdits();   // edit_terrain.cpp: terrains and strokes
-std::vector<Edit> clipEdits();      // edit_clips.cpp: motions
+std::vector<Edit> sceneEdits();      // edit_scene.cpp: what comes and goes
+std::vector<Edit> fileEdits();       // core/io/edit_files.cpp: what comes from files
+std::vector<Edit> placementEdits();  // core/io/edit_placement.cpp: units and up axis of what was imported
+std::vector<Edit> nodeEdits();       // edit_nodes.cpp: names, places, what is shown
+std::vector<Edit> meshEdits();       // edit_mesh.cpp: faces, edges and vertices of meshes
+std::vector<Edit> elementEdits();    // edit_elements.cpp: elements in their places
+std::vector<Edit> stackEdits();      // edit_stack.cpp: modifiers
+std::vector<Edit> materialEdits();   // edit_material.cpp: slots and materials
+std::vector<Edit> terrainEdits();    // edit_terrain.cpp: terrains and strokes
+std::vector<Edit> clipEdits();       // edit_clips.cpp: motions
 
 }  // namespace mw

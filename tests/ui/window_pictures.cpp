@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QLineEdit>
 #include <QPainter>
 #include <QTest>
 #include <cstdio>
@@ -10,9 +11,11 @@
 #include "core/scene/samples.h"
 #include "ui/actions.h"
 #include "ui/application.h"
+#include "ui/drop_target.h"
 #include "ui/evaluation_service.h"
 #include "ui/file_commands.h"
 #include "ui/main_window.h"
+#include "ui/sheet.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport.h"
@@ -78,13 +81,19 @@ void tour(MainWindow& w, const QString& folder, const QStringList& only)
             shoot(w, folder, "workspace-" + name.toLower());
         }
     w.workspaces().change("Mesh");
-    if (wanted("shared")) {
-        for (const char* name : {"Search commands and settings", "Save layout as workspace..."}) {
+    if (wanted("sheets")) {
+        for (const char* name : {"Search commands and settings", "Save layout as workspace...", "Export...", "Shortcuts...", "Keyboard reference"}) {
             command(w, name)->trigger();
             QTest::qWait(200);
-            shoot(w, folder, QString(name).left(6).toLower());
+            if (auto* query = w.findChild<QLineEdit*>("searchQuery")) query->setText("sub");
+            QTest::qWait(100);
+            shoot(w, folder, "sheet-" + QString(name).left(6).toLower());
             closePopups(w);
+            for (Sheet* s : w.findChildren<Sheet*>()) delete s;
         }
+        DropFrame frame(&w);
+        frame.showOn(QRect(w.viewport().mapTo(&w, QPoint(0, 0)), w.viewport().size()), "Add bunny.ply");
+        shoot(w, folder, "drop");
     }
 }
 

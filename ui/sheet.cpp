@@ -11,7 +11,7 @@ namespace mw {
 
 Sheet::Sheet(const QString& title, QWidget* over, QSize wanted) : QFrame(over), wanted_(wanted)
 {
-    for (Sheet* other : over->findChildren<Sheet*>({}, Qt::FindDirectChildrenOnly))
+    for (Sheet* other : over->findChildren<Sheet*>(QString(), Qt::FindDirectChildrenOnly))
         if (other != this) other->deleteLater();
     setObjectName("card");
     setAccessibleName(title);
@@ -41,7 +41,10 @@ void Sheet::open()
     place();
     show();
     raise();
-    focusNextPrevChild(true);
+    for (QWidget* w = nextInFocusChain(); w && w != this; w = w->nextInFocusChain())
+        if (isAncestorOf(w) && (w->focusPolicy() & Qt::TabFocus) && w->isVisible() && w->isEnabled() && !qobject_cast<QToolButton*>(w))
+            return w->setFocus(Qt::TabFocusReason);
+    setFocus();
 }
 
 void Sheet::place()

@@ -43,6 +43,7 @@ MainToolBar::MainToolBar(Actions& actions, Workspaces& workspaces, QWidget* wind
     search_ = new QPushButton(icon("search", tokens().text2), " Search commands and settings", this);
     search_->setObjectName("searchField");
     search_->setAccessibleName("Search commands and settings");
+    search_->setToolTip("Find any command, lesson, parameter or node by its words · Ctrl+K");
     search_->setFixedWidth(270);
     search_->setFocusPolicy(Qt::TabFocus);
     addWidget(search_);

@@ -62,7 +62,10 @@ private:
         if (!visible) ++hidden_;
         if (n.joint == Node::Joint::Joint) ++joints_;
         if (visible && n.mesh) mesh(n);
-        if (visible && n.terrain && !n.mesh) ++terrains_;
+        if (visible && n.terrain && !n.mesh) {
+            ++terrains_;
+            materials_ = true;  // its layers, as colours of its mesh
+        }
         for (const NodeId child : n.children) visit(child, visible);
     }
 
@@ -83,6 +86,8 @@ private:
         if (polygons && !holds_.polygons) say(Severity::Note, n.name, counted(polygons, "polygon is", "polygons are") + " written as triangles");
         if (m.faceCount() == 0 && m.vertexCount() && !holds_.points)
             say(Severity::Warning, n.name, "has no faces: " + name() + " has no loose points");
+        if (const size_t lines = m.lines().size() / 2; lines && (name() == "STL" || name() == "OFF"))
+            say(Severity::Warning, n.name, counted(lines, "loose line is", "loose lines are") + " left out: " + name() + " has none");
         attributes(n, m);
         size_t on = 0;
         for (const Modifier& modifier : object.stack) on += modifier.enabled;
@@ -102,7 +107,8 @@ private:
             texcoord |= a.name.starts_with("texcoord");
             normal |= a.name == "normal";
         }
-        if (color) lose(holds_.colors, "colours");
+        const bool facets = name() == "STL" && options_.binary;  // one colour a facet
+        if (color) lose(holds_.colors || facets, "colours");
         if (texcoord) lose(holds_.texcoords, "texture coordinates");
         if (normal) lose(holds_.normals, "normals");
         if (!lost.empty()) say(Severity::Warning, n.name, lost + " left out: " + name() + " has no place for them");

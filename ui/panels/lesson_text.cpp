@@ -50,6 +50,7 @@ LessonText::LessonText(Session& session, QWidget* parent)
     pages_->addWidget(look::emptyState(this, &sentence_, &begin_));
     sentence_->setText(tr("A lesson opens a scene and steps through an algorithm on it. Choose one in Lessons."));
     begin_->setText(tr("Open the first lesson"));
+    begin_->setToolTip(tr("Show its text here"));
     begin_->setVisible(!lessons().empty());
     connect(begin_, &QPushButton::clicked, this, [this] { desk_.load(lessons().front()); });
     pages_->addWidget(makePage());

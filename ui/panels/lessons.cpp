@@ -73,6 +73,7 @@ LessonsPanel::LessonsPanel(Session& session, QWidget* parent) : QWidget(parent),
     filter_->setPlaceholderText(tr("Filter lessons"));
     filter_->setClearButtonEnabled(true);
     filter_->setAccessibleName(tr("Filter lessons"));
+    filter_->setToolTip(tr("Only lessons whose title has these words"));
     connect(filter_, &QLineEdit::textChanged, this, &LessonsPanel::filter);
     column->addLayout(top);
     makeTree();

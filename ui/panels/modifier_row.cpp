@@ -108,6 +108,7 @@ void ModifierRow::makeHeader(const Modifier& m)
     menu_ = new QToolButton(this);
     menu_->setIcon(icon("menu", tokens().text2));
     menu_->setAccessibleName("Menu of " + edits::titleOf(m));
+    menu_->setToolTip("Step through, apply, duplicate, move, remove");
     menu_->setFocusPolicy(Qt::TabFocus);
     connect(menu_, &QToolButton::clicked, this, &ModifierRow::menu);
     for (QWidget* w : {static_cast<QWidget*>(grip_), static_cast<QWidget*>(on_)}) line->addWidget(w);

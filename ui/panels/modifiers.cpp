@@ -67,6 +67,7 @@ private:
         bar->setContentsMargins(0, 0, 8, 0);
         add_ = new QPushButton(icon("plus", Qt::white), "Add modifier", this);
         add_->setObjectName("addModifier");
+        add_->setToolTip("Choose an operation for the end of the stack");
         add_->setProperty("primary", true);
         apply_ = new QPushButton("Apply stack", this);
         apply_->setToolTip("The result becomes the base mesh; undo brings the stack back");

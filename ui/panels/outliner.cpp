@@ -51,6 +51,8 @@ public:
         box->setSpacing(6);
         filter_ = new QLineEdit(this);
         filter_->setPlaceholderText("Filter nodes and joints");
+        filter_->setAccessibleName("Filter nodes and joints");
+        filter_->setToolTip("Only nodes whose name has these letters");
         filter_->setClearButtonEnabled(true);
         filter_->addAction(icon("search", tokens().text2), QLineEdit::LeadingPosition);
         tree_ = new Tree(this);

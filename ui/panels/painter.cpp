@@ -101,6 +101,7 @@ public:
         empty_ = look::emptyState(this, &sentence_, &remedy_);
         sentence_->setText("There is no terrain to paint on.");
         remedy_->setText("New terrain");
+        remedy_->setToolTip("Add a terrain by diamond-square");
         connect(remedy_, &QPushButton::clicked, this, [this] { edits::newTerrain(session_); });
         outer->addWidget(empty_);
         area_ = new QScrollArea(this);

@@ -89,6 +89,7 @@ public:
         empty_ = look::emptyState(this, &sentence_, &remedy);
         sentence_->setText("There is no terrain in this scene.");
         remedy->setText("New terrain");
+        remedy->setToolTip("Add a terrain by diamond-square");
         connect(remedy, &QPushButton::clicked, this, [this] { edits::newTerrain(session_); });
         outer->addWidget(empty_);
         area_ = new QScrollArea(this);

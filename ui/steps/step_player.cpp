@@ -164,6 +164,7 @@ void StepPlayer::makeEmpty()
 {
     pages_->addWidget(look::emptyState(this, &emptyText_, &startButton_));
     startButton_->setObjectName("step-start");
+    startButton_->setToolTip("Run it one step at a time, with formula, numbers and source");
     connect(startButton_, &QPushButton::clicked, this, &StepPlayer::start);
 }
 

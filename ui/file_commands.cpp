@@ -52,6 +52,16 @@ void warmAll(const Scene& scene)
     for (MeshId id : scene.meshes()) warm(scene.find(id)->base);
 }
 
+// The edit that does the same from a shell.
+EditCall importCall(const QString& file)
+{
+    EditCall call{"import", {{"file", pathOf(file).string()}}};
+    const ImportOptions kept = FileCommands::keptPlacement(file);
+    if (kept.metresPerUnit) call.values["unit"] = *kept.metresPerUnit;
+    if (kept.up) call.values["up"] = std::string(*kept.up == UpAxis::Y ? "y" : *kept.up == UpAxis::Z ? "z" : "x");
+    return call;
+}
+
 }  // namespace
 
 FileCommands::FileCommands(Session& session, QWidget* window) : QObject(window), session_(session), window_(window) {}
@@ -155,7 +165,7 @@ void FileCommands::import(const QStringList& files)
                     Scene next = session_.document.scene();
                     if (read->scene.meshes().empty() && takeMotion(file, *read)) return;
                     const std::vector<NodeId> roots = next.merge(read->scene);
-                    session_.document.commit("Import " + nameOf(file).toStdString(), std::move(next), {roots, {}, {}});
+                    session_.document.commit("Import " + nameOf(file).toStdString(), std::move(next), {roots, {}, {}}, {importCall(file)});
                     remember(file);
                     emit added(roots);
                     sayRead("Added", file, *read, roots);
@@ -170,7 +180,7 @@ bool FileCommands::takeMotion(const QString& file, const Imported& read)
     Scene next = session_.document.scene();
     const std::vector<ClipId> clips = adoptClips(next, read.scene);
     if (clips.empty()) return false;
-    session_.document.commit("Import motion " + nameOf(file).toStdString(), std::move(next));
+    session_.document.commit("Import motion " + nameOf(file).toStdString(), std::move(next), {importCall(file)});
     session_.view.clip = clips.front();
     session_.view.setTime(0);
     session_.view.touch();

@@ -39,7 +39,6 @@ ShortcutsSheet::ShortcutsSheet(Shortcuts& shortcuts, QWidget* over)
     list_ = new QTreeView(this);
     list_->setModel(proxy_);
     list_->setRootIsDecorated(false);
-    list_->setUniformRowHeights(true);
     list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     list_->setAccessibleName("Commands and their keys");
     model_->setHorizontalHeaderLabels({"Command", "Where", "Keys"});

@@ -101,7 +101,6 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     select->addSeparator();
     select->addActions(pickKinds);
     select->addAction(nextPickKind);
-    select->addMenu("Tool")->addActions(tools);
     select->addSeparator();
     select->addActions({hide, hideOthers, showAll});
     auto* view = bar->addMenu("View");

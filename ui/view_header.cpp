@@ -167,7 +167,6 @@ QComboBox* cameraOf(Session& session, Viewport& view, QWidget* parent)
 {
     auto* camera = new QComboBox(parent);
     camera->setAccessibleName("Camera");
-    camera->setToolTip("Perspective or parallel, and views along the axes");
     camera->setToolTip("Projection, or where to look from");
     camera->setFocusPolicy(Qt::TabFocus);
     camera->addItems({"Perspective", "Parallel", "Front", "Right", "Top", "Back", "Left", "Bottom"});

@@ -93,7 +93,13 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     auto* edit = bar->addMenu("Edit");
     edit->addActions({undo, redo});
     edit->addSeparator();
+    edit->addActions({duplicate, duplicateLinked, ownCopy});
+    edit->addSeparator();
+    edit->addActions({join, separateFaces, separateParts, separateMaterials, groupNodes});
+    edit->addSeparator();
     edit->addActions({rename, remove});
+    edit->addSeparator();
+    edit->addAction(copyHistory);
     auto* select = bar->addMenu("Select");
     select->addActions({selectAll, selectNone, invert});
     select->addSeparator();
@@ -160,6 +166,10 @@ QMenu* Actions::contextMenu(QWidget* parent) const
     tool->addActions(tools);
     tool->addSeparator();
     tool->addActions({localAxes, pivotCentre, copyMeasurement});
+    m->addActions({duplicate, duplicateLinked, join});
+    auto* separate = m->addMenu("Separate");
+    separate->addActions({separateFaces, separateParts, separateMaterials});
+    m->addAction(groupNodes);
     m->addSeparator();
     m->addActions({rename, remove});
     return m;
@@ -181,7 +191,12 @@ void Actions::refresh()
     setTip(redo, d.canRedo() ? "Redo: " + redoName : "Nothing to redo");
     const bool any = !d.selection().nodes.empty();
     const bool mesh = edits::activeMesh(d).value != 0;
-    for (QAction* a : {remove, rename, hide, hideOthers}) enable(a, any, "Select a node first");
+    for (QAction* a : {rename, hide, hideOthers}) enable(a, any, "Select a node first");
+    for (const OfSelection& o : ofSelection_) {
+        const QString why = edits::whyNot(d, o.edit);
+        o.action->setEnabled(why.isEmpty());
+        setTip(o.action, why.isEmpty() ? o.tip : why);
+    }
     for (QAction* a : addModifiers) enable(a, mesh, "Select a mesh first");
     for (QAction* a : stepThroughs) {
         const Operation& op = operation(a->data().toString().toStdString());

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QList>
 
+#include "ui/edit_commands.h"
 #include "ui/session.h"
 
 class QMenuBar;
@@ -18,7 +19,8 @@ struct Actions {
     Actions(Session& session, FileCommands& files, ViewArea& area, QWidget* window, QWidget* viewArea);
 
     QAction *open, *import, *save, *saveAs, *exportAs, *quit;
-    QAction *undo, *redo, *remove, *rename, *duplicate;
+    QAction *undo, *redo, *remove, *rename, *duplicate, *duplicateLinked, *join, *separateFaces, *separateParts, *separateMaterials, *groupNodes,
+        *ownCopy, *copyHistory;
     QAction *selectAll, *selectNone, *invert, *hide, *hideOthers, *showAll;
     QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *bones, *picture, *resetCamera;
     QAction *reducedMotion, *nextPickKind;
@@ -59,6 +61,12 @@ private:
     ViewArea& views_;
     QWidget *window_, *viewArea_;
     std::vector<std::pair<QAction*, bool ViewOptions::*>> flags_;
+    struct OfSelection {
+        QAction* action;
+        edits::SelectionEdit edit;
+        QString tip;
+    };
+    std::vector<OfSelection> ofSelection_;  // off with the reason in the tooltip
 };
 
 }  // namespace mw

@@ -1,7 +1,11 @@
 #include "ui/evaluation_service.h"
 
+#include <QSettings>
+
 namespace mw {
 namespace {
+
+constexpr const char* costKey = "evaluation/costs";
 
 bool sameInput(const MeshObject& a, const MeshObject& b)
 {
@@ -23,6 +27,7 @@ void warm(const Mesh& mesh)
 EvaluationService::EvaluationService(Document& document, Jobs& jobs, QObject* parent)
     : QObject(parent), document_(document), jobs_(jobs), evaluator_(std::make_shared<Evaluator>())
 {
+    costs_ = CostRecord::fromText(QSettings().value(costKey).toString().toStdString());
     subscription_ = document_.subscribe([this](const Change& c) { follow(c); });
     connect(&jobs_, &Jobs::changed, this, [this] { emit changed(); });
 }
@@ -59,6 +64,7 @@ void EvaluationService::request(MeshId id, std::shared_ptr<const MeshObject> obj
                 const auto known = requests_.find(id);
                 if (known == requests_.end() || known->second.object != object) return;
                 known->second.running = false;
+                learn(*object, *result);
                 document_.setEvaluation(id, result);
                 emit changed();
             };
@@ -71,6 +77,24 @@ void EvaluationService::request(MeshId id, std::shared_ptr<const MeshObject> obj
             emit changed();
         });
     emit changed();
+}
+
+// Of what was computed just now; the record outlives the session.
+void EvaluationService::learn(const MeshObject& object, const Evaluation& e)
+{
+    const std::string before = costs_.text();
+    for (size_t i = 0; i < e.levels.size(); ++i) {
+        const Operation* op = findOperation(object.stack[i].operation);
+        const Level& l = e.levels[i];
+        if (op && object.stack[i].enabled && l.error.empty() && !l.waits && !l.cached)
+            costs_.learn(*op, sizeOf(e.at(i)), object.stack[i].values, l.seconds);
+    }
+    if (costs_.text() != before) QSettings().setValue(costKey, QString::fromStdString(costs_.text()));
+}
+
+std::optional<Cost> EvaluationService::expected(const Operation& op, MeshSize input, const ParameterValues& values) const
+{
+    return expectedCost(op, input, values, &costs_);
 }
 
 EvaluationService::State EvaluationService::state(MeshId id) const

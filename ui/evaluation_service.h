@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "core/catalog/cost.h"
 #include "core/scene/document.h"
 #include "ui/jobs.h"
 
@@ -32,6 +33,8 @@ public:
     void setPaused(bool paused);
     bool paused() const { return paused_; }
     bool idle() const;
+    /// What a modifier on a mesh is expected to take on this machine: learnt from the runs before, also of earlier sessions.
+    std::optional<Cost> expected(const Operation& op, MeshSize input, const ParameterValues& values) const;
     /// Knows the results it has made; thread safe. For jobs that write: stacks are then not evaluated again.
     std::shared_ptr<Evaluator> evaluator() const { return evaluator_; }
 
@@ -47,6 +50,7 @@ private:
         QString failure;
     };
     void follow(const Change& change);
+    void learn(const MeshObject& object, const Evaluation& e);
     void request(MeshId id, std::shared_ptr<const MeshObject> object);
 
     Document& document_;
@@ -55,6 +59,7 @@ private:
     std::map<MeshId, Request> requests_;
     std::shared_ptr<void> subscription_;
     bool paused_ = false;
+    CostRecord costs_;
 };
 
 }  // namespace mw

@@ -8,6 +8,8 @@
 
 #include "core/io/preflight.h"
 #include "core/scene/adopt_clips.h"
+#include "core/io/io.h"
+#include "ui/edit_commands.h"
 #include "ui/evaluation_service.h"
 #include "ui/placement_words.h"
 #include "ui/words.h"
@@ -142,17 +144,18 @@ void FileCommands::keepPlacement(const QString& file, const Placement& placement
     QSettings().setValue(key + "/up", int(placement.up));
 }
 
-void FileCommands::openScene(Scene scene, const QString& historyName)
+void FileCommands::openScene(Scene scene, const QString& historyName, const QString& sample)
 {
     session_.steps.close();
     session_.view.shownLevel.clear();
     project_ = false;
     const auto nodes = withMesh(scene);
-    session_.document.open(std::move(scene), {}, historyName.toStdString());
+    session_.document.open(std::move(scene), {}, historyName.toStdString(), {sample.toStdString(), {}});
     if (!nodes.empty()) session_.document.select({nodes, {}, {}});
     emit opened();
 }
 
+// One after the other: each is an edit of the scene that the one before has left.
 void FileCommands::import(const QStringList& files)
 {
     for (const QString& file : files)

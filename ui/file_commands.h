@@ -24,7 +24,8 @@ public:
     void import(const QStringList& files);   ///< adds to the scene
     void saveTo(const QString& file, std::function<void()> then = {});
     void exportTo(const QString& file, const WriteOptions& options = {}, bool onlySelected = false);
-    void openScene(Scene scene, const QString& historyName);
+    /// `sample`: the name that stands for it on a command line ("sample:rock").
+    void openScene(Scene scene, const QString& historyName, const QString& sample = {});
 
     // With dialogs.
     void openDialog();

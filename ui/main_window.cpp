@@ -187,6 +187,8 @@ void MainWindow::listen()
     connect(views_, &ViewArea::failed, banner_, &Banner::trouble);
     connect(status_, &StatusStrip::jobsClicked, this, [this] { workspaces_->show("jobs"); });
     connect(files_, &FileCommands::trouble, banner_, &Banner::trouble);
+    session_.trouble = [this](const QString& text) { banner_->trouble(text); };
+    session_.notice = [this](const QString& text) { banner_->notice(text, {}); };
     connect(files_, &FileCommands::notice, this,
             [this](const QString& text, const std::vector<Warning>& warnings) { banner_->notice(text, warnings); });
     connect(files_, &FileCommands::opened, this, [this] { views_->active().frameAll(false); });
@@ -231,7 +233,8 @@ void MainWindow::searchCommands()
 
 void MainWindow::showWelcome()
 {
-    if (document_.scene().nodes().empty()) files_->openScene(samples().front().make(), "Welcome scene");
+    if (document_.scene().nodes().empty())
+        files_->openScene(samples().front().make(), "Welcome scene", QString("sample:%1").arg(samples().front().id));
     if (!welcome_) {
         welcome_ = new WelcomeCard(session_, *files_, viewport_);
         connect(welcome_, &WelcomeCard::newTerrainWanted, this, [this] {

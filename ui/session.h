@@ -1,6 +1,7 @@
 // What every panel is given. Panels know the document and these services, never each other.
 #pragma once
 #include <QString>
+#include <functional>
 
 #include "core/scene/document.h"
 #include "ui/jobs.h"
@@ -17,8 +18,10 @@ struct Session {
     Jobs& jobs;
     ViewState& view;
     StepSession& steps;
-    EvaluationService* evaluations = nullptr;  ///< who keeps the stacks' results up to date
-    Playback* playback = nullptr;              ///< who moves the playhead
+    EvaluationService* evaluations = nullptr;               ///< who keeps the stacks' results up to date
+    Playback* playback = nullptr;                           ///< who moves the playhead
+    std::function<void(const QString& text)> trouble = {};  ///< says what could not be done
+    std::function<void(const QString& text)> notice = {};   ///< says what was done
 };
 
 }  // namespace mw

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/scene/edit.h"
+#include "ui/edit_commands.h"
+#include "ui/evaluation_service.h"
 
 namespace mw::edits {
 namespace {
@@ -17,9 +18,19 @@ Scene changed(const Document& d, MeshId id, const std::function<void(MeshObject&
     return next;
 }
 
-QString wordsOf(const Document& d, MeshId id, size_t index)
+// A node that shows a mesh, as edits name it.
+std::string nodeWith(const Document& d, MeshId id)
 {
-    return titleOf(d.scene().find(id)->stack.at(index));
+    const NodeId active = d.selection().active();
+    if (d.scene().find(active) && d.scene().node(active).mesh == id) return nodeText(d.scene(), active);
+    for (const NodeId n : d.scene().nodes())
+        if (d.scene().node(n).mesh == id) return nodeText(d.scene(), n);
+    return {};
+}
+
+ParameterValues which(const Document& d, MeshId id, size_t index)
+{
+    return {{"node", nodeWith(d, id)}, {"modifier", int64_t(index + 1)}};
 }
 
 }  // namespace
@@ -38,41 +49,33 @@ QString titleOf(const Modifier& m)
 
 void addModifier(Document& d, MeshId id, const Operation& op, ParameterValues values)
 {
-    d.commit("Add " + op.title, changed(d, id, [&](MeshObject& o, Scene& s) {
-                 o.stack.push_back({s.newModifierId(), op.id, std::move(values), true});
-             }));
+    runQuick(d, {"modify", {{"node", nodeWith(d, id)}, {"op", op.id}, {"with", printed(op.parameters, values)}}});
 }
 
 void removeModifier(Document& d, MeshId id, size_t i)
 {
-    d.commit("Remove " + wordsOf(d, id, i).toStdString(),
-             changed(d, id, [&](MeshObject& o, Scene&) { o.stack.erase(o.stack.begin() + ptrdiff_t(i)); }));
+    runQuick(d, {"remove-modifier", which(d, id, i)});
 }
 
 void moveModifier(Document& d, MeshId id, size_t from, size_t to)
 {
     const size_t n = d.scene().find(id)->stack.size();
     if (from == to || from >= n || to >= n) return;
-    d.commit("Move " + wordsOf(d, id, from).toStdString(), changed(d, id, [&](MeshObject& o, Scene&) {
-                 Modifier m = o.stack[from];
-                 o.stack.erase(o.stack.begin() + ptrdiff_t(from));
-                 o.stack.insert(o.stack.begin() + ptrdiff_t(to), std::move(m));
-             }));
+    ParameterValues values = which(d, id, from);
+    values["to"] = int64_t(to + 1);
+    runQuick(d, {"move-modifier", values});
 }
 
 void duplicateModifier(Document& d, MeshId id, size_t i)
 {
-    d.commit("Duplicate " + wordsOf(d, id, i).toStdString(), changed(d, id, [&](MeshObject& o, Scene& s) {
-                 Modifier m = o.stack[i];
-                 m.id = s.newModifierId();
-                 o.stack.insert(o.stack.begin() + ptrdiff_t(i) + 1, std::move(m));
-             }));
+    runQuick(d, {"duplicate-modifier", which(d, id, i)});
 }
 
 void enableModifier(Document& d, MeshId id, size_t i, bool on)
 {
-    if (d.scene().find(id)->stack.at(i).enabled == on) return;
-    d.commit(wordsOf(d, id, i).toStdString() + (on ? ": on" : ": off"), changed(d, id, [&](MeshObject& o, Scene&) { o.stack[i].enabled = on; }));
+    ParameterValues values = which(d, id, i);
+    values["enabled"] = on;
+    runQuick(d, {"enable-modifier", values});
 }
 
 void previewValues(Document& d, MeshId id, size_t i, const ParameterValues& values)
@@ -80,41 +83,54 @@ void previewValues(Document& d, MeshId id, size_t i, const ParameterValues& valu
     d.preview(changed(d, id, [&](MeshObject& o, Scene&) { o.stack.at(i).values = values; }));
 }
 
-void commitValues(Document& d, MeshId id, size_t i, const ParameterValues& values, const QString& what)
+void commitValues(Document& d, MeshId id, size_t i, const ParameterValues& values, const QString&)
 {
-    const MeshObject* committed = d.history()[d.historyPosition()].scene->find(id);
-    if (committed && i < committed->stack.size() && committed->stack[i].values == values) return d.cancelPreview();
-    d.commit((wordsOf(d, id, i) + ": " + what).toStdString(), changed(d, id, [&](MeshObject& o, Scene&) { o.stack.at(i).values = values; }));
+    const MeshObject* object = d.scene().find(id);
+    const Operation* op = object && i < object->stack.size() ? findOperation(object->stack[i].operation) : nullptr;
+    if (!op) return d.cancelPreview();
+    ParameterValues call = which(d, id, i);
+    call["with"] = printed(op->parameters, values);
+    runQuick(d, {"set-modifier", call});
 }
 
-bool applyStack(Document& d, MeshId id, size_t levels)
+void applyStack(Session& session, MeshId id, size_t levels)
 {
+    Document& d = session.document;
+    const MeshObject* object = d.scene().find(id);
+    if (!object || levels == 0 || levels > object->stack.size()) return;
+    const EditCall call{"apply-modifiers", {{"node", nodeWith(d, id)}, {"levels", int64_t(levels)}}};
     const auto e = d.evaluation(id);
-    if (!e || e->levels.size() < levels || levels == 0) return false;
-    d.commit(levels == d.scene().find(id)->stack.size() ? "Apply stack" : "Apply to here", changed(d, id, [&](MeshObject& o, Scene&) {
-                 o.base = e->at(levels);
-                 o.stack.erase(o.stack.begin(), o.stack.begin() + ptrdiff_t(levels));
-             }));
-    return true;
+    const EvaluationService* service = session.evaluations;
+    const bool ready = e && e->levels.size() == object->stack.size() && service && service->idle() && !service->paused() &&
+                       !service->state(id).cancelled && service->state(id).failure.isEmpty();
+    if (!ready) return run(session, call);
+    for (size_t i = 0; i < levels; ++i)
+        if (!e->levels[i].error.empty()) return run(session, call);
+    // The result is there already: at once, without a job.
+    d.cancelPreview();
+    const auto before = d.history()[d.historyPosition()].scene;
+    commitEdited(d, call, *before,
+                 changed(d, id,
+                         [&](MeshObject& o, Scene&) {
+                             o.base = e->at(levels);
+                             o.stack.erase(o.stack.begin(), o.stack.begin() + ptrdiff_t(levels));
+                         }),
+                 {});
 }
 
-void removeNodes(Document& d, const std::vector<NodeId>& nodes)
+void removeNodes(Session& session, const std::vector<NodeId>& nodes)
 {
-    Scene next = d.scene();
-    std::string name = nodes.size() == 1 ? "Delete " + next.node(nodes[0]).name : "Delete " + std::to_string(nodes.size()) + " nodes";
-    for (NodeId n : nodes)
-        if (next.find(n)) next.remove(n);
-    if (!nodes.empty()) d.commit(std::move(name), std::move(next));
+    if (!nodes.empty()) run(session, {"delete", {{"nodes", nodeText(session.document.scene(), nodes)}}});
 }
 
 void setVisible(Document& d, const std::vector<NodeId>& nodes, bool visible)
 {
-    if (!nodes.empty()) commitEdit(d, {"show", {{"nodes", nodeText(d.scene(), nodes)}, {"visible", visible}}});
+    if (!nodes.empty()) runQuick(d, {"show", {{"nodes", nodeText(d.scene(), nodes)}, {"visible", visible}}});
 }
 
 void rename(Document& d, NodeId id, const QString& name)
 {
-    if (!name.trimmed().isEmpty()) commitEdit(d, {"rename", {{"node", nodeText(d.scene(), id)}, {"name", name.trimmed().toStdString()}}});
+    if (!name.trimmed().isEmpty()) runQuick(d, {"rename", {{"node", nodeText(d.scene(), id)}, {"name", name.trimmed().toStdString()}}});
 }
 
 }  // namespace mw::edits

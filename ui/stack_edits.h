@@ -1,8 +1,9 @@
-// The edits of a modifier stack, as commits of the document. Each is one history entry.
+// The edits of a modifier stack, as calls of the list of edits. Each is one history entry.
 #pragma once
 #include <QString>
 
 #include "core/scene/document.h"
+#include "ui/session.h"
 
 namespace mw::edits {
 
@@ -17,10 +18,10 @@ void duplicateModifier(Document& document, MeshId mesh, size_t index);
 void enableModifier(Document& document, MeshId mesh, size_t index, bool on);
 void previewValues(Document& document, MeshId mesh, size_t index, const ParameterValues& values);
 void commitValues(Document& document, MeshId mesh, size_t index, const ParameterValues& values, const QString& what);
-/// The result of the first `levels` rows becomes the base. False while that result is not there.
-bool applyStack(Document& document, MeshId mesh, size_t levels);
+/// The result of the first `levels` rows becomes the base; at once when it is known, else as a job.
+void applyStack(Session& session, MeshId mesh, size_t levels);
 
-void removeNodes(Document& document, const std::vector<NodeId>& nodes);
+void removeNodes(Session& session, const std::vector<NodeId>& nodes);
 void setVisible(Document& document, const std::vector<NodeId>& nodes, bool visible);
 void rename(Document& document, NodeId node, const QString& name);
 

@@ -3,7 +3,9 @@
 #include <QFileInfo>
 
 #include "core/io/height_picture.h"
-#include "ui/evaluation_service.h"
+#include "core/scene/terrain_values.h"
+#include "ui/edit_commands.h"
+#include "ui/panels/form_values.h"
 
 namespace mw::edits {
 namespace {
@@ -13,21 +15,15 @@ std::filesystem::path pathOf(const QString& file)
     return std::filesystem::path(file.toStdU16String());
 }
 
-void addTerrain(Session& session, TerrainObject object, const QString& what)
+std::function<void(const EditRun&)> framing(Session& session)
 {
-    Scene next = session.document.scene();
-    Node node;
-    node.name = object.terrain.name;
-    node.terrain = next.add(std::move(object));
-    const NodeId id = next.add(std::move(node));
-    session.document.commit(what.toStdString(), std::move(next), {{id}, {}, {}});
-    session.view.frameNodes({id});
+    return [&session](const EditRun& run) { session.view.frameNodes(run.made); };
 }
 
-std::string nameOf(const Document& document, NodeId node)
+const std::vector<Parameter>& describedTerrain()
 {
-    const Node* n = document.scene().find(node);
-    return n ? n->name : std::string("Terrain");
+    static const std::vector<Parameter> all = forms::described<TerrainValues>();
+    return all;
 }
 
 }  // namespace
@@ -62,79 +58,43 @@ void previewTerrain(Document& document, NodeId node, Terrain terrain)
     if (terrainOf(document, node)) document.preview(withTerrain(document, node, std::move(terrain)));
 }
 
-void commitTerrain(Document& document, NodeId node, Terrain terrain, const QString& what)
+void commitTerrain(Document& document, NodeId node, Terrain terrain, const QString&)
 {
-    if (terrainOf(document, node))
-        document.commit(nameOf(document, node) + ": " + what.toStdString(), withTerrain(document, node, std::move(terrain)));
+    const Node* n = document.history()[document.historyPosition()].scene->find(node);
+    const TerrainObject* committed = n ? document.history()[document.historyPosition()].scene->find(n->terrain) : nullptr;
+    if (!committed) return;
+    ParameterValues changed;
+    const ParameterValues before = terrainValues(committed->terrain);
+    for (const auto& [name, value] : terrainValues(terrain))
+        if (before.at(name) != value) changed.emplace(name, value);
+    if (changed.empty()) return document.cancelPreview();
+    runQuick(document, {"set-terrain", {{"node", nodeText(document.scene(), node)}, {"with", printedAll(describedTerrain(), changed)}}});
 }
 
 void newTerrain(Session& session)
 {
-    const Operation& source = operation("diamond-square");
-    newTerrain(session, source, checked(source.parameters, {{"size", int64_t(1025)}, {"seed", int64_t(7)}}));
+    run(session, {"new-terrain", {{"with", std::string("size=1025,seed=7")}}}, framing(session));
 }
 
 void newTerrain(Session& session, const Operation& source, const ParameterValues& values)
 {
-    session.jobs.start("New terrain", [&session, &source, values](Progress& progress) -> std::function<void()> {
-        TerrainObject object;
-        object.terrain.name = "Terrain";
-        object.terrain.map = std::get<HeightMap>(apply(source, {}, values, &progress));
-        object.terrain.maximumHeight = 180;
-        object.terrain.waterLevel = 0.16 * object.terrain.maximumHeight;
-        object.sourceOperation = source.id;
-        object.sourceValues = values;
-        return [&session, object] { addTerrain(session, object, "Add terrain"); };
-    });
+    run(session, {"new-terrain", {{"op", source.id}, {"with", printed(source.parameters, values)}}}, framing(session));
 }
 
 void generate(Session& session, NodeId node, const Operation& source, const ParameterValues& values)
 {
-    const QString name = QString::fromStdString(source.title);
-    session.jobs.start("Generate " + name, [&session, node, &source, values](Progress& progress) -> std::function<void()> {
-        const HeightMap map = std::get<HeightMap>(apply(source, {}, values, &progress));
-        return [&session, node, &source, values, map] {
-            const TerrainObject* old = terrainOf(session.document, node);
-            if (!old) return;  // deleted meanwhile
-            TerrainObject object = *old;
-            object.terrain.map = map;
-            object.sourceOperation = source.id;
-            object.sourceValues = values;
-            Scene next = session.document.scene();
-            next.set(next.node(node).terrain, std::move(object));
-            session.document.commit(nameOf(session.document, node) + ": " + source.title, std::move(next));
-        };
-    });
+    run(session, {"generate-terrain",
+                  {{"node", nodeText(session.document.scene(), node)}, {"op", source.id}, {"with", printed(source.parameters, values)}}});
 }
 
 void importPicture(Session& session, const QString& file, bool asNew, std::function<void(const QString&)> done)
 {
-    session.jobs.start(
-        "Import " + QFileInfo(file).fileName(),
-        [&session, file, asNew, done](Progress& progress) -> std::function<void()> {
-            const HeightMap map = readHeightMap(pathOf(file), nullptr, &progress);
-            return [&session, file, asNew, map, done] {
-                const NodeId node = asNew ? NodeId{} : activeTerrain(session.document);
-                if (const TerrainObject* old = terrainOf(session.document, node)) {
-                    TerrainObject object = *old;
-                    object.terrain.map = map;
-                    object.terrain.name = QFileInfo(file).fileName().toStdString();
-                    object.sourceOperation.clear();
-                    object.sourceValues.clear();
-                    Scene next = session.document.scene();
-                    next.set(next.node(node).terrain, std::move(object));
-                    session.document.commit(nameOf(session.document, node) + ": height map " + QFileInfo(file).fileName().toStdString(),
-                                            std::move(next));
-                } else {
-                    TerrainObject object;
-                    object.terrain.name = QFileInfo(file).completeBaseName().toStdString();
-                    object.terrain.map = map;
-                    addTerrain(session, std::move(object), "Add terrain " + QFileInfo(file).fileName());
-                }
-                done({});
-            };
-        },
-        done);
+    const NodeId node = asNew ? NodeId{} : activeTerrain(session.document);
+    const std::string name = node ? nodeText(session.document.scene(), node) : std::string();
+    run(session, {"terrain-picture", {{"file", pathOf(file).string()}, {"node", name}}}, [&session, done](const EditRun& run) {
+        if (!run.made.empty()) session.view.frameNodes(run.made);
+        done({});
+    });
 }
 
 void exportPicture(Session& session, NodeId node, const QString& file, std::function<void(const QString&)> done)
@@ -152,26 +112,8 @@ void exportPicture(Session& session, NodeId node, const QString& file, std::func
 
 void terrainToMesh(Session& session, NodeId node, size_t triangles)
 {
-    const TerrainObject* object = terrainOf(session.document, node);
-    if (!object) return;
-    session.jobs.start("Terrain to mesh", [&session, node, terrain = object->terrain, triangles](Progress& progress) -> std::function<void()> {
-        const Mesh mesh = terrainMesh(terrain, triangles, &progress);
-        warm(mesh);
-        return [&session, node, mesh] {
-            const Node* ground = session.document.scene().find(node);
-            if (!ground) return;
-            Scene next = session.document.scene();
-            Node beside;
-            beside.name = ground->name + " mesh";
-            beside.local = ground->local;
-            beside.mesh = next.add(MeshObject{beside.name, mesh, {}, {}});
-            const NodeId id = next.add(std::move(beside), ground->parent);
-            Node hidden = *ground;
-            hidden.visible = false;  // both at one place would flicker
-            next.set(node, hidden);
-            session.document.commit(nameOf(session.document, node) + ": to mesh", std::move(next), {{id}, {}, {}});
-        };
-    });
+    if (!terrainOf(session.document, node)) return;
+    run(session, {"terrain-mesh", {{"node", nodeText(session.document.scene(), node)}, {"triangles", int64_t(triangles)}}});
 }
 
 std::vector<const Operation*> heightSources()

@@ -1,4 +1,4 @@
-// The edits of terrains, as commits of the document. Each is one history entry; what takes time runs as a job.
+// The edits of terrains, as calls of the list of edits. Each is one history entry; what takes time runs as a job.
 #pragma once
 #include <QString>
 

@@ -140,7 +140,7 @@ QWidget* WelcomeCard::sampleScenes()
         auto* b = tile(s.title, s.about, QString("sample:%1").arg(s.id), "object", this);
         connect(b, &QToolButton::clicked, this, [this, &s] {
             hide();
-            files_.whenSaved([this, &s] { files_.openScene(s.make(), QString("Open %1").arg(s.title)); });
+            files_.whenSaved([this, &s] { files_.openScene(s.make(), QString("Open %1").arg(s.title), QString("sample:%1").arg(s.id)); });
         });
         grid->addWidget(b, i / columns, i % columns);
         ++i;

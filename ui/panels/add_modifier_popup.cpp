@@ -13,7 +13,7 @@
 namespace mw {
 namespace {
 
-constexpr int idRole = Qt::UserRole + 1, summaryRole = Qt::UserRole + 2;
+constexpr int idRole = Qt::UserRole + 1, summaryRole = Qt::UserRole + 2, noteRole = Qt::UserRole + 3;
 
 // Title in bold, the summary below it; a category as a heading.
 class TwoLines : public QStyledItemDelegate {
@@ -38,13 +38,15 @@ public:
         p->drawText(r, Qt::AlignLeft | Qt::AlignTop, i.data().toString());
         p->setFont(o.font);
         p->setPen(on ? t.selectionText : t.text2);
+        p->drawText(r, Qt::AlignRight | Qt::AlignTop, i.data(noteRole).toString());
         p->drawText(r, Qt::AlignLeft | Qt::AlignBottom, o.fontMetrics.elidedText(i.data(summaryRole).toString(), Qt::ElideRight, r.width()));
     }
 };
 
 class Popup : public QFrame {
 public:
-    Popup(QWidget* parent, std::function<void(const Operation&)> chosen) : QFrame(parent, Qt::Popup), chosen_(std::move(chosen))
+    Popup(QWidget* parent, std::function<void(const Operation&)> chosen, std::function<QString(const Operation&)> note)
+        : QFrame(parent, Qt::Popup), chosen_(std::move(chosen)), note_(std::move(note))
     {
         setObjectName("popup");
         setAttribute(Qt::WA_DeleteOnClose);
@@ -84,6 +86,7 @@ private:
                 headed = true;
                 auto* item = new QListWidgetItem(QString::fromStdString(op.title), list_);
                 item->setData(idRole, QString::fromStdString(op.id));
+                if (note_) item->setData(noteRole, note_(op));
                 item->setData(summaryRole, QString::fromStdString(op.summary));
                 item->setToolTip(QString::fromStdString(op.summary));
             }
@@ -121,15 +124,16 @@ private:
     }
 
     std::function<void(const Operation&)> chosen_;
+    std::function<QString(const Operation&)> note_;
     QLineEdit* field_;
     QListWidget* list_;
 };
 
 }  // namespace
 
-QFrame* showAddModifierPopup(QWidget* anchor, std::function<void(const Operation&)> chosen)
+QFrame* showAddModifierPopup(QWidget* anchor, std::function<void(const Operation&)> chosen, std::function<QString(const Operation&)> note)
 {
-    auto* popup = new Popup(anchor->window(), std::move(chosen));
+    auto* popup = new Popup(anchor->window(), std::move(chosen), std::move(note));
     popup->move(anchor->mapToGlobal(QPoint(0, anchor->height() + 2)));
     popup->show();
     return popup;

@@ -7,7 +7,7 @@
 
 namespace mw {
 
-/// Opens below `anchor`; `chosen` is called with the operation picked.
-QFrame* showAddModifierPopup(QWidget* anchor, std::function<void(const Operation&)> chosen);
+/// Opens below `anchor`; `chosen` is called with the operation picked. `note` gives a word beside its title ("about 14 s"), or nothing.
+QFrame* showAddModifierPopup(QWidget* anchor, std::function<void(const Operation&)> chosen, std::function<QString(const Operation&)> note = {});
 
 }  // namespace mw

@@ -2,9 +2,11 @@
 
 #include <QDateTime>
 #include <QHeaderView>
+#include <QMenu>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "ui/edit_commands.h"
 #include "ui/theme.h"
 
 namespace mw {
@@ -29,6 +31,8 @@ public:
                 [this](QTreeWidgetItem* i) { session_.document.goTo(size_t(list_->indexOfTopLevelItem(i))); });
         connect(list_, &QTreeWidget::itemActivated, this,
                 [this](QTreeWidgetItem* i) { session_.document.goTo(size_t(list_->indexOfTopLevelItem(i))); });
+        list_->setContextMenuPolicy(Qt::CustomContextMenu);
+        connect(list_, &QTreeWidget::customContextMenuRequested, this, [this](const QPoint& p) { menu(p); });
         subscription_ = session_.document.subscribe([this](const Change& c) {
             if (c.aspects & (Aspect::History | Aspect::File))
                 QMetaObject::invokeMethod(
@@ -38,6 +42,24 @@ public:
     }
 
 private:
+    void menu(const QPoint& at)
+    {
+        auto* row = list_->itemAt(at);
+        if (!row) return;
+        const auto i = size_t(list_->indexOfTopLevelItem(row));
+        auto* m = new QMenu(this);
+        m->setAttribute(Qt::WA_DeleteOnClose);
+        m->setToolTipsVisible(true);
+        m->addAction(icon("here"), "Go here", this, [this, i] { session_.document.goTo(i); });
+        m->addSeparator();
+        auto* one = m->addAction(icon("copy"), "Copy as command", this, [this, i] { edits::copyCommand(session_, i, edits::Copied::Entry); });
+        one->setEnabled(!session_.document.history()[i].calls.empty());
+        one->setToolTip(one->isEnabled() ? "What a shell has to say to do this again" : "A command line cannot do this again");
+        auto* all = m->addAction("Copy all up to here as command", this, [this, i] { edits::copyCommand(session_, i, edits::Copied::AllUpTo); });
+        all->setToolTip("What a shell has to say to get this state");
+        m->popup(list_->viewport()->mapToGlobal(at));
+    }
+
     void rebuild()
     {
         const auto& entries = session_.document.history();

@@ -73,7 +73,7 @@ void LessonDesk::openScene(const Lesson& lesson, const Operation* op, const Mesh
     session_.steps.close();
     Scene scene = sceneOf(mesh, lesson.title);
     const NodeId node = scene.roots().front();
-    document.commit("Lesson: " + lesson.title, std::move(scene), {{node}, {}, {}});
+    document.commit("Lesson: " + lesson.title, std::move(scene), {{node}, {}, {}}, {{"lesson", {{"lesson", lesson.id}}}});
     lessonScene_ = document.snapshot();
     loaded_ = &lesson;
     session_.view.camera.azimuth = glm::radians(lesson.scene.azimuth);

@@ -146,8 +146,8 @@ void ModifierRow::fitHeader()
 void ModifierRow::setState(const RowState& s)
 {
     on_->setChecked(s.enabled);
-    countsText_ = s.enabled ? s.waits ? QString("waits") : s.counts : QString("off");
-    const QString time = s.enabled && !s.running && s.error.isEmpty() ? s.time : QString();
+    countsText_ = s.enabled ? s.waits ? (s.time.isEmpty() ? QString("waits") : "waits, " + s.time) : s.counts : QString("off");
+    const QString time = s.enabled && !s.running && !s.waits && s.error.isEmpty() ? s.time : QString();
     time_->setText(time);
     counts_->setToolTip(time.isEmpty() ? countsText_ : countsText_ + ", in " + time);
     const QString color = s.enabled ? tokens().text.name() : tokens().text3.name();
@@ -165,6 +165,8 @@ void ModifierRow::setState(const RowState& s)
         QString text = QString("%1 %").arg(int(100 * s.fraction));
         if (s.fraction > 0.05f && s.elapsed > 400)
             text += ", about " + timeText(double(s.elapsed) / 1000 * (1 - double(s.fraction)) / double(s.fraction)) + " left";
+        else if (!s.time.isEmpty())
+            text += ", " + s.time;
         left_->setText(text);
     }
     setAccessibleName(name_->text() + (s.enabled ? ", enabled" : ", off") + (s.running ? ", running" : ""));
@@ -236,6 +238,7 @@ void ModifierRow::menu()
     m->addAction(icon("copy"), "Duplicate\tCtrl+D", this, &ModifierRow::duplicateRequested);
     m->addAction("Move up\tAlt+Up", this, [this] { emit moved(-1); });
     m->addAction("Move down\tAlt+Down", this, [this] { emit moved(1); });
+    if (op_) m->addAction(icon("copy"), "Copy as command", this, &ModifierRow::copyRequested);
     m->addAction("Remove\tDelete", this, &ModifierRow::removeRequested);
     m->popup(menu_->mapToGlobal(QPoint(0, menu_->height())));
 }

@@ -60,6 +60,7 @@ signals:
     void stepRequested();
     void applyRequested();
     void showRequested();
+    void copyRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* e) override;

@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/edit_commands.h"
 #include "ui/evaluation_service.h"
 #include "ui/panels/add_modifier_popup.h"
 #include "ui/panels/empty_state.h"
@@ -99,8 +100,11 @@ private:
         outer->addLayout(bar);
         outer->addWidget(empty_);
         outer->addWidget(area, 1);
-        connect(add_, &QPushButton::clicked, this, [this] { showAddModifierPopup(add_, [this](const Operation& op) { add(op); }); });
-        connect(apply_, &QPushButton::clicked, this, [this] { edits::applyStack(session_.document, mesh_, stack().size()); });
+        connect(add_, &QPushButton::clicked, this, [this] {
+            showAddModifierPopup(
+                add_, [this](const Operation& op) { add(op); }, [this](const Operation& op) { return expectedText(op, sizeOf(shown()), {}); });
+        });
+        connect(apply_, &QPushButton::clicked, this, [this] { edits::applyStack(session_, mesh_, stack().size()); });
         connect(pause_, &QToolButton::toggled, this, [this](bool on) {
             if (session_.evaluations) session_.evaluations->setPaused(on);
         });
@@ -113,6 +117,27 @@ private:
         static const std::vector<Modifier> nothing;
         const MeshObject* o = session_.document.scene().find(mesh_);
         return o ? o->stack : nothing;
+    }
+
+    Mesh shown() const { return session_.document.shownMesh(mesh_); }
+
+    QString expectedText(const Operation& op, MeshSize input, const ParameterValues& values) const
+    {
+        const auto cost = session_.evaluations ? session_.evaluations->expected(op, input, values) : std::nullopt;
+        return cost ? QString::fromStdString(costText(*cost)) : QString();
+    }
+
+    // What the row will take, while its result is not there. The sizes of those before it are what they are expected to leave.
+    QString expectedText(size_t row) const
+    {
+        MeshSize size = sizeOf(session_.document.scene().find(mesh_)->base);
+        for (size_t i = 0; i < row; ++i) {
+            const Operation* op = findOperation(stack()[i].operation);
+            if (op && stack()[i].enabled)
+                if (const auto cost = expectedCost(*op, size, stack()[i].values)) size = cost->result;
+        }
+        const Operation* op = findOperation(stack()[row].operation);
+        return op ? expectedText(*op, size, stack()[row].values) : QString();
     }
 
     void add(const Operation& op)
@@ -176,7 +201,8 @@ private:
             });
         });
         connect(row, &ModifierRow::stepRequested, this, [=, this] { at([&](size_t i) { stepThrough(i); }); });
-        connect(row, &ModifierRow::applyRequested, this, [=, this, &d] { at([&](size_t i) { edits::applyStack(d, mesh_, i + 1); }); });
+        connect(row, &ModifierRow::applyRequested, this, [=, this] { at([&](size_t i) { edits::applyStack(session_, mesh_, i + 1); }); });
+        connect(row, &ModifierRow::copyRequested, this, [=, this] { at([&](size_t i) { edits::copyModifier(session_, mesh_, i); }); });
         connect(row, &ModifierRow::showRequested, this, [=, this] { at([&](size_t i) { showLevel(i + 1); }); });
     }
 
@@ -259,6 +285,8 @@ private:
             RowState s = stateOf(i, e.get(), run);
             if (run.cancelled && i == run.level) s.error = "Cancelled. The view shows the last result; change a parameter to run it again.";
             if (!run.failure.isEmpty() && i == run.level) s.error = run.failure;
+            const bool computing = run.running && run.level <= i && s.enabled;
+            if (computing) s.time = expectedText(i);
             rows_[i].row->setState(s);
         }
     }

@@ -1,5 +1,6 @@
 #include "ui/panels/outliner.h"
 
+#include <QDropEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -15,6 +16,7 @@
 
 #include "render/bones.h"
 #include "ui/panels/empty_state.h"
+#include "ui/edit_commands.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
 #include "ui/words.h"
@@ -25,11 +27,12 @@ namespace {
 enum Columns { NameColumn, CountColumn, EyeColumn, ColumnCount };
 constexpr int nodeRole = Qt::UserRole + 1, jointRole = Qt::UserRole + 2;
 
-// Enter frames, everything else as a tree does.
+// Enter frames, rows are dragged onto others; everything else as a tree does.
 class Tree : public QTreeView {
 public:
     explicit Tree(QWidget* parent) : QTreeView(parent) {}
     std::function<void()> enter;
+    std::function<void(const QModelIndex& parent)> dropped;
     void keyboardSearch(const QString&) override {}  // the filter field does it
 
 protected:
@@ -39,6 +42,19 @@ protected:
             enter();
         else
             QTreeView::keyPressEvent(e);
+    }
+    // The tree is made anew by the edit: the view itself moves nothing.
+    void dropEvent(QDropEvent* e) override
+    {
+        const QModelIndex at = indexAt(e->position().toPoint()).siblingAtColumn(NameColumn);
+        const QModelIndex parent = dropIndicatorPosition() == OnItem ? at : dropIndicatorPosition() == OnViewport ? QModelIndex() : at.parent();
+        const bool own = e->source() == this;
+        e->setDropAction(Qt::IgnoreAction);
+        e->accept();
+        stopAutoScroll();
+        setState(NoState);
+        viewport()->update();
+        if (own && dropped) dropped(parent);
     }
 };
 
@@ -113,6 +129,14 @@ private:
                 else
                     unfolded_.erase(nodeAt(i));
             });
+        tree_->setDragEnabled(true);
+        tree_->setAcceptDrops(true);
+        tree_->setDragDropMode(QAbstractItemView::InternalMove);
+        tree_->dropped = [this](const QModelIndex& parent) {
+            const Scene& scene = session_.document.scene();
+            edits::run(session_, {"reparent", {{"nodes", nodeText(scene, session_.document.selection().nodes)},
+                                               {"to", parent.isValid() ? nodeText(scene, nodeAt(parent)) : std::string()}}});
+        };
         tree_->enter = [this] { session_.view.frameNodes(session_.document.selection().nodes); };
     }
 
@@ -239,14 +263,29 @@ private:
         m->addAction("Rename", this, [this] { tree_->edit(tree_->currentIndex().siblingAtColumn(NameColumn)); });
         m->addAction(shown ? "Hide" : "Show", this, [this, nodes, shown] { edits::setVisible(session_.document, nodes, !shown); });
         m->addSeparator();
-        m->addAction("Delete", this, [this, nodes] { edits::removeNodes(session_.document, nodes); });
+        const auto edit = [&](const QString& text, edits::SelectionEdit which, bool linked = false) {
+            QAction* a = m->addAction(text, this, [this, which, linked] { edits::run(session_, which, linked); });
+            const QString why = edits::whyNot(session_.document, which);
+            a->setEnabled(why.isEmpty());
+            a->setToolTip(why);
+        };
+        m->setToolTipsVisible(true);
+        edit("Duplicate", edits::SelectionEdit::Duplicate);
+        edit("Duplicate linked", edits::SelectionEdit::Duplicate, true);
+        edit("Make own copy", edits::SelectionEdit::OwnCopy);
+        edit("Join", edits::SelectionEdit::Join);
+        edit("Separate by components", edits::SelectionEdit::SeparateParts);
+        edit("Separate by material", edits::SelectionEdit::SeparateMaterials);
+        edit("Group", edits::SelectionEdit::Group);
+        m->addSeparator();
+        m->addAction("Delete", this, [this, nodes] { edits::removeNodes(session_, nodes); });
         m->popup(at);
     }
 
     void keyPressEvent(QKeyEvent* e) override
     {
         if (e->key() == Qt::Key_Delete)
-            edits::removeNodes(session_.document, session_.document.selection().nodes);
+            edits::removeNodes(session_, session_.document.selection().nodes);
         else
             QWidget::keyPressEvent(e);
     }

@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "core/scene/terrain_values.h"
 #include "ui/panels/form_values.h"
 #include "ui/panels/look.h"
 #include "ui/parameter_form.h"
@@ -13,71 +14,6 @@
 
 namespace mw {
 namespace {
-
-struct GroundForm {
-    double extent = 1000, maximumHeight = 115, waterLevel = 0;
-    template <class V>
-    void describe(V& v)
-    {
-        v.number("extent", extent,
-                 {.title = "Extent",
-                  .help = "Length of the terrain along X.",
-                  .unit = "m",
-                  .min = 0.01,
-                  .max = 1e7,
-                  .softMin = 10,
-                  .softMax = 100000,
-                  .logarithmic = true});
-        v.number("maximumHeight", maximumHeight,
-                 {.title = "Maximum height",
-                  .help = "Height of white in the height map.",
-                  .unit = "m",
-                  .min = 0.001,
-                  .max = 1e6,
-                  .softMin = 1,
-                  .softMax = 1000});
-        v.number("waterLevel", waterLevel,
-                 {.title = "Water level",
-                  .help = "What lies lower is under water. Below the lowest point there is none.",
-                  .unit = "m",
-                  .min = -1e6,
-                  .max = 1e6,
-                  .softMin = 0,
-                  .softMax = 200});
-    }
-};
-
-struct DetailForm {
-    int64_t patches = 16;
-    double nearLevel = 64, farLevel = 4, nearDistance = 80, farDistance = 900;
-    enum class Edges { Corrected, ShowCracks } edges = Edges::Corrected;
-    template <class V>
-    void describe(V& v)
-    {
-        v.integer("patches", patches,
-                  {.title = "Patches", .help = "Patches along X; each is tessellated by its own distance.", .min = 1, .max = 128, .softMax = 64});
-        v.number("nearLevel", nearLevel, {.title = "Near level", .help = "Segments along the edges of near patches.", .min = 1, .max = 64});
-        v.number("farLevel", farLevel, {.title = "Far level", .help = "Segments along the edges of far patches.", .min = 1, .max = 64});
-        v.number("nearDistance", nearDistance,
-                 {.title = "Near distance", .help = "Up to here patches have the near level.", .unit = "m", .min = 0, .max = 1e7, .softMax = 2000});
-        v.number("farDistance", farDistance,
-                 {.title = "Far distance", .help = "From here on patches have the far level.", .unit = "m", .min = 0, .max = 1e7, .softMax = 5000});
-        v.choice("edges", edges, {"corrected", "show-cracks"},
-                 {.title = "Edges",
-                  .help = "Corrected: an edge has one level for both its patches, from its own middle. Show cracks: each patch uses its own."});
-    }
-};
-
-ParameterValues groundValues(const Terrain& t)
-{
-    return {{"extent", t.extent}, {"maximumHeight", t.maximumHeight}, {"waterLevel", t.waterLevel}};
-}
-
-ParameterValues detailValues(const Terrain::Detail& d)
-{
-    return {{"patches", int64_t(d.patches)},  {"nearLevel", d.nearLevel},     {"farLevel", d.farLevel},
-            {"nearDistance", d.nearDistance}, {"farDistance", d.farDistance}, {"edges", std::string(d.corrected ? "corrected" : "show-cracks")}};
-}
 
 class TerrainPanel : public QWidget {
 public:
@@ -103,13 +39,13 @@ public:
         map_->setObjectName("heightMapLine");
         map_->setWordWrap(true);
         box->addWidget(map_);
-        ground_ = new ParameterForm(forms::described<GroundForm>(), {}, inside);
+        ground_ = new ParameterForm(forms::described<TerrainGround>(), {}, inside);
         ground_->setObjectName("groundForm");
         box->addWidget(ground_);
         auto* title = new QLabel("<b>Level of detail</b>", inside);
         title->setContentsMargins(0, 8, 0, 0);
         box->addWidget(title);
-        detail_ = new ParameterForm(forms::described<DetailForm>(), {}, inside);
+        detail_ = new ParameterForm(forms::described<TerrainDetail>(), {}, inside);
         detail_->setObjectName("detailForm");
         box->addWidget(detail_);
         card_ = new QLabel(inside);
@@ -125,14 +61,14 @@ public:
         look::keepWide(area_);
         outer->addWidget(area_, 1);
         join(ground_, [](Terrain& t, const ParameterValues& v) {
-            const auto f = forms::filled<GroundForm>(v);
+            const auto f = forms::filled<TerrainGround>(v);
             t.extent = f.extent;
             t.maximumHeight = f.maximumHeight;
             t.waterLevel = f.waterLevel;
         });
         join(detail_, [](Terrain& t, const ParameterValues& v) {
-            const auto f = forms::filled<DetailForm>(v);
-            t.detail = {int(f.patches), f.nearLevel, f.farLevel, f.nearDistance, f.farDistance, f.edges == DetailForm::Edges::Corrected};
+            const auto f = forms::filled<TerrainDetail>(v);
+            t.detail = {int(f.patches), f.nearLevel, f.farLevel, f.nearDistance, f.farDistance, f.edges == TerrainDetail::Edges::Corrected};
         });
         subscription_ = session_.document.subscribe([this](const Change&) { refresh(); });
         connect(&session_.view, &ViewState::groundChanged, this, [this] { refreshCard(); });

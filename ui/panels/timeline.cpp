@@ -17,6 +17,7 @@
 #include "ui/panels/empty_state.h"
 #include "ui/panels/look.h"
 #include "ui/panels/timeline_tracks.h"
+#include "ui/edit_commands.h"
 #include "ui/playback.h"
 
 namespace mw {
@@ -236,34 +237,19 @@ private:
         m->popup(at);
     }
 
+    std::string named(ClipId id) const { return "#" + std::to_string(id.value); }
+
     void rename(ClipId id, const QString& name)
     {
-        Scene next = session_.document.scene();
-        Clip clip = *next.find(id);
-        const std::string old = clip.name;
-        clip.name = name.toStdString();
-        next.set(id, std::move(clip));
-        session_.document.commit(old + ": name " + name.toStdString(), std::move(next));
+        edits::run(session_, {"rename-clip", {{"clip", named(id)}, {"name", name.toStdString()}}});
     }
 
     void duplicate(ClipId id)
     {
-        Scene next = session_.document.scene();
-        Clip clip = *next.find(id);
-        const std::string old = clip.name;
-        clip.name += " copy";
-        const ClipId copy = next.add(std::move(clip));
-        session_.document.commit(old + ": duplicate", std::move(next));
-        play_.setClip(copy);
+        edits::run(session_, {"duplicate-clip", {{"clip", named(id)}}}, [this](const EditRun& run) { play_.setClip(run.clips.front()); });
     }
 
-    void remove(ClipId id)
-    {
-        Scene next = session_.document.scene();
-        const std::string old = next.find(id)->name;
-        next.remove(id);
-        session_.document.commit(old + ": delete", std::move(next));
-    }
+    void remove(ClipId id) { edits::run(session_, {"delete-clip", {{"clip", named(id)}}}); }
 
     Session& session_;
     Playback& play_;

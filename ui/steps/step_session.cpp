@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/scene/edit.h"
 #include "core/scene/scene_pose.h"
 #include "ui/steps/step_history.h"
 
@@ -470,19 +471,39 @@ bool StepSession::edited() const
     return impl_->edited;
 }
 
+namespace {
+
+// The level of a stack that a mesh is the result of; the base when it is none.
+size_t levelOf(const Document& document, MeshId id, const Mesh& mesh)
+{
+    const auto e = document.evaluation(id);
+    for (size_t i = e ? e->levels.size() : 0; i > 0; --i)
+        if (e->at(i).positions().id() == mesh.positions().id() && e->at(i).cornerVertex().id() == mesh.cornerVertex().id()) return i;
+    return 0;
+}
+
+}  // namespace
+
 void StepSession::keepAsBase()
 {
     const Node* n = op_ ? document_.scene().find(node_) : nullptr;
     const Mesh* mesh = std::get_if<Mesh>(&impl_->value);
     if (!n || !n->mesh || !mesh) return;
+    document_.cancelPreview();
     Scene next = document_.scene();
     MeshObject object = *next.find(n->mesh);
+    EditCall call{"keep-step",
+                  {{"node", nodeText(next, node_)},
+                   {"op", op_->id},
+                   {"with", printed(op_->parameters, values_)},
+                   {"step", int64_t(impl_->position)},
+                   {"level", int64_t(levelOf(document_, n->mesh, std::get<Mesh>(impl_->input)))}}};
     object.base = *mesh;
     object.stack.clear();
-    const QString title = tr("%1: step %2 as base").arg(impl_->name(), QLocale().toString(qulonglong(impl_->position)));
     next.set(n->mesh, std::move(object));
+    const auto before = document_.snapshot();
     close();
-    document_.commit(title.toStdString(), std::move(next));
+    commitEdited(document_, call, *before, std::move(next), {});
 }
 
 bool StepSession::isOfCharacter() const

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "core/scene/edit.h"
+#include "core/scene/stroke_text.h"
 #include "render/terrain_levels.h"
 #include "ui/terrain_edits.h"
 
@@ -113,6 +115,8 @@ bool BrushTool::press(const PointerEvent& e)
     object_.sourceValues.clear();
     carry_ = -1;
     last_ = {place->local.x, place->local.z};
+    way_.clear();
+    painted_ = brush();
     dab(last_);
     return true;
 }
@@ -124,8 +128,9 @@ void BrushTool::dab(glm::dvec2 to)
         return;
     }
     const std::array<glm::dvec2, 2> way{last_, to};
-    object_.terrain.map = stroked(object_.terrain, brush(), way, carry_);
+    object_.terrain.map = stroked(object_.terrain, painted_, way, carry_);
     last_ = to;
+    way_.push_back(to);
     Scene next = session().document.scene();
     next.set(next.node(node_).terrain, object_);
     session().document.preview(std::move(next));
@@ -141,8 +146,18 @@ void BrushTool::release(const PointerEvent&)
 {
     if (!painting()) return;
     const NodeId node = std::exchange(node_, NodeId{});
-    const std::string name = session().document.scene().node(node).name + ": " + verbOf(brush().kind);
-    session().document.commit(name, session().document.scene());
+    Document& d = session().document;
+    static constexpr const char* falloffs[] = {"smooth", "linear", "sphere", "constant"};
+    const EditCall call{"stroke",
+                        {{"node", nodeText(d.scene(), node)},
+                         {"kind", std::string(verbOf(painted_.kind))},
+                         {"radius", painted_.radius},
+                         {"strength", painted_.strength},
+                         {"spacing", painted_.spacing},
+                         {"falloff", std::string(falloffs[size_t(painted_.falloff)])},
+                         {"points", strokeText(way_)}}};
+    // What is shown is what the edit gives: a stroke in pieces is, to the bit, the stroke in one go.
+    commitEdited(d, call, *d.history()[d.historyPosition()].scene, d.scene(), {});
 }
 
 bool BrushTool::abort()

@@ -32,6 +32,8 @@ private:
     NodeId node_;
     TerrainObject object_;
     glm::dvec2 last_{0};
+    std::vector<glm::dvec2> way_;  // of the stroke so far
+    Brush painted_;                // as it was when the stroke began
     double carry_ = -1;
     bool inverted_ = false;
 };

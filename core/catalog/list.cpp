@@ -8,6 +8,7 @@
 #include "core/mesh/sample_curve.h"
 #include "core/mesh/solids.h"
 #include "core/mesh/stripify.h"
+#include "core/metrics/uv_distortion.h"
 #include "core/metrics/valence.h"
 #include "core/repair/damaged_sphere.h"
 #include "core/repair/fill_holes.h"
@@ -166,6 +167,13 @@ std::span<const Operation> catalog()
                                                  .category = "Query",
                                                  .source = "core/repair/select_elements.cpp"},
                                                 selectElements),
+        entry<Mesh, UvDistortion, Table>({.id = "uv-distortion",
+                                          .title = "Texture distortion",
+                                          .section = "3.12",
+                                          .summary = "How much the texture coordinates of each face change its angles and its area.",
+                                          .category = "Query",
+                                          .source = "core/metrics/uv_distortion.cpp"},
+                                         uvDistortion),
         entry<Mesh, Stripify, Table>({.id = "stripify",
                                       .title = "Triangle strips",
                                       .section = "2.1",

@@ -47,8 +47,8 @@ std::span<const Edit> editList()
 {
     static const std::vector<Edit> all = [] {
         std::vector<Edit> list;
-        for (auto edits :
-             {sceneEdits, fileEdits, placementEdits, nodeEdits, meshEdits, elementEdits, stackEdits, materialEdits, terrainEdits, clipEdits})
+        for (auto edits : {sceneEdits, fileEdits, placementEdits, nodeEdits, meshEdits, elementEdits, stackEdits, materialEdits, slotEdits, textureEdits,
+                           terrainEdits, clipEdits})
             for (Edit& e : edits()) list.push_back(std::move(e));
         return list;
     }();
@@ -105,6 +105,19 @@ bool commitEdited(Document& document, const EditCall& call, const Scene& before,
     else
         document.commit(std::move(name), std::move(next), Selection{run.made, {}, {}}, {call});
     return true;
+}
+
+void commitEdits(Document& document, std::string name, const std::vector<EditCall>& calls)
+{
+    const auto before = document.history()[document.historyPosition()].scene;
+    EditRun run;
+    Scene next = *before;
+    for (const EditCall& call : calls) next = edited(next, call, run);
+    if (sameScene(next, *before)) return document.cancelPreview();
+    if (run.made.empty())
+        document.commit(std::move(name), std::move(next), calls);
+    else
+        document.commit(std::move(name), std::move(next), Selection{run.made, {}, {}}, calls);
 }
 
 std::string editName(const Scene& before, const EditCall& call)

@@ -41,6 +41,8 @@ Scene edited(const Scene& scene, const EditCall& call);
 void commitEdit(Document& document, const EditCall& call);
 /// Commits an edit that was run elsewhere, on `before`, which must be the present entry's scene still; false when it is not.
 bool commitEdited(Document& document, const EditCall& call, const Scene& before, Scene next, const EditRun& run);
+/// Several edits, one after the other, as one history entry. None of them when one throws.
+void commitEdits(Document& document, std::string name, const std::vector<EditCall>& calls);
 /// What the history entry of an edit is called.
 std::string editName(const Scene& before, const EditCall& call);
 

@@ -10,6 +10,7 @@
 #include "ui/panels/properties.h"
 #include "ui/panels/terrain.h"
 #include "ui/panels/timeline.h"
+#include "ui/panels/uv.h"
 #include "ui/steps/plot_panel.h"
 #include "ui/steps/source_panel.h"
 #include "ui/steps/step_player.h"
@@ -23,6 +24,7 @@ const std::vector<PanelEntry>& panels()
         {"modifiers", "Modifiers", "What is done to the selected mesh, in order", makeModifiersPanel},
         {"properties", "Properties", "Transform and material of the selected node", makePropertiesPanel},
         {"inspector", "Inspector", "What a mesh is, and what to fix", makeInspectorPanel},
+        {"uv", "UV", "Texture coordinates of the selected mesh, and how they stretch", makeUvPanel},
         {"history", "History", "Every edit; a click goes there", makeHistoryPanel},
         {"jobs", "Jobs", "What runs in the background", makeJobsPanel},
         {"lessons", "Lessons", "What can be learnt, by chapter", makeLessonsPanel},

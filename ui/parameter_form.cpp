@@ -151,7 +151,7 @@ ParameterForm::ParameterForm(std::vector<Parameter> parameters, ParameterValues 
     for (Parameter& p : parameters) {
         rows_.push_back({std::move(p), nullptr, nullptr, nullptr, {}});
         makeRow(rows_.back());
-        const int r = int(rows_.size()) - 1;
+        const int r = 2 * int(rows_.size()) - 1;  // the row above is for labels of a narrow form
         grid->addWidget(rows_.back().label, r, 0);
         grid->addWidget(rows_.back().editor, r, 1);
     }
@@ -379,6 +379,47 @@ void ParameterForm::refresh()
         r.editor->setVisible(shown);
     }
     showing_ = false;
+}
+
+void ParameterForm::wrapWhenNarrow()
+{
+    wraps_ = true;
+    arrange();
+    updateGeometry();
+}
+
+QSize ParameterForm::minimumSizeHint() const
+{
+    const QSize all = QWidget::minimumSizeHint();
+    if (!wraps_) return all;
+    int widest = 0;
+    for (const Row& r : rows_) widest = std::max(widest, r.editor->minimumSizeHint().width());
+    return {widest, all.height()};
+}
+
+void ParameterForm::arrange()
+{
+    int label = 104, field = 0;
+    for (const Row& r : rows_) {
+        label = std::max(label, r.label->sizeHint().width());
+        field = std::max(field, r.editor->minimumSizeHint().width());
+    }
+    const bool wrap = wraps_ && width() < label + 8 + field;
+    if (wrap == wrapped_) return;
+    wrapped_ = wrap;
+    auto* grid = static_cast<QGridLayout*>(layout());
+    grid->setColumnMinimumWidth(0, wrap ? 0 : 104);
+    for (size_t i = 0; i < rows_.size(); ++i) {
+        const int r = 2 * int(i);
+        grid->addWidget(rows_[i].label, wrap ? r : r + 1, 0, 1, wrap ? 2 : 1);
+        grid->addWidget(rows_[i].editor, r + 1, wrap ? 0 : 1, 1, wrap ? 2 : 1);
+    }
+}
+
+void ParameterForm::resizeEvent(QResizeEvent* e)
+{
+    QWidget::resizeEvent(e);
+    if (wraps_) arrange();
 }
 
 bool ParameterForm::eventFilter(QObject* o, QEvent* e)

@@ -39,6 +39,8 @@ public:
     void setValues(const ParameterValues& values);  ///< from outside: undo, another selection; not while something is being dragged
     const ParameterValues& values() const { return values_; }
     bool editing() const { return editing_ || debounce_.isActive(); }
+    void wrapWhenNarrow();  ///< labels stand over their fields where there is no room beside them
+    QSize minimumSizeHint() const override;
     QWidget* field(const QString& name) const;  ///< the spin box, check box, combo or text field of a parameter
 
 signals:
@@ -59,12 +61,14 @@ private:
     QWidget* textEditor(Row& row);
     void change(const Parameter& p, ParameterValue v, bool done);
     void refresh();
+    void arrange();
+    void resizeEvent(QResizeEvent* e) override;
     bool eventFilter(QObject* o, QEvent* e) override;
 
     std::vector<Row> rows_;
     ParameterValues values_;
     QTimer debounce_;
-    bool editing_ = false, showing_ = false;
+    bool editing_ = false, showing_ = false, wraps_ = false, wrapped_ = false;
 };
 
 /// "faces 20,000": for the name of a history entry.

@@ -53,9 +53,9 @@ QList<Cell> cellsOf(const QString& workspace, bool narrow)
         return {{left, {"painter", "outliner"}, 0, 300}, {right, {"terrain", "properties"}, 462, 322}, {right, {"generators", "history"}, 0, 322}};
     }
     if (narrow)
-        return {{left, {"outliner", "history"}, 200, 276}, {left, {"inspector"}, 0, 276}, {right, {"modifiers", "properties", "jobs"}, 0, 336}};
+        return {{left, {"outliner", "history"}, 200, 276}, {left, {"inspector", "uv"}, 0, 276}, {right, {"modifiers", "properties", "jobs"}, 0, 336}};
     return {{left, {"outliner"}, 214, 304},
-            {left, {"inspector"}, 0, 304},
+            {left, {"inspector", "uv"}, 0, 304},
             {right, {"modifiers", "properties"}, 0, 356},
             {right, {"history", "jobs"}, 176, 356}};
 }

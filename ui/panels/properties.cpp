@@ -1,76 +1,101 @@
 #include "ui/panels/properties.h"
 
+#include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
+#include "core/scene/scene_pose.h"
 #include "ui/panels/empty_state.h"
-#include "ui/parameter_form.h"
+#include "ui/panels/fold.h"
+#include "ui/panels/look.h"
+#include "ui/panels/material_section.h"
+#include "ui/panels/matrix_product.h"
+#include "ui/panels/transform_fields.h"
 #include "ui/playback.h"
-#include "ui/theme.h"
+#include "ui/viewport/frame_builder.h"
 #include "ui/words.h"
 
 namespace mw {
 namespace {
 
-// The transform and the material in the words of parameters, so that the same form shows them.
-struct TransformForm {
-    glm::dvec3 position{0}, rotation{0}, scale{1};
-    template <class V>
-    void describe(V& v)
-    {
-        v.point("position", position, {.title = "Position", .help = "Where the node is in its parent, in metres.", .unit = "m"});
-        v.point("rotation", rotation, {.title = "Rotation", .help = "Turns about X, then Y, then Z.", .unit = "°"});
-        v.point("scale", scale, {.title = "Scale", .help = "Factors along the node's own axes."});
-    }
-};
-struct MaterialForm {
-    glm::dvec3 color{0.8};
-    double metallic = 0, roughness = 0.6;
-    bool doubleSided = false;
-    template <class V>
-    void describe(V& v)
-    {
-        v.point("color", color, {.title = "Base colour", .help = "Red, green and blue of the surface, linear.", .min = 0, .max = 1});
-        v.number("metallic", metallic, {.title = "Metallic", .help = "0 for plastic and stone, 1 for bare metal.", .min = 0, .max = 1});
-        v.number("roughness", roughness, {.title = "Roughness", .help = "0 is a mirror, 1 is chalk.", .min = 0, .max = 1});
-        v.flag("doubleSided", doubleSided, {.title = "Both sides", .help = "Draw the back of faces, too."});
-    }
-};
-
-template <class F>
-std::vector<Parameter> described()
+Bounds placed(const Mesh& mesh, const glm::dmat4& world)
 {
-    Describer d;
-    F f;
-    f.describe(d);
-    return d.parameters;
+    Bounds b;
+    for (const glm::vec3& p : mesh.positions()) b.add(glm::dvec3(world * glm::dvec4(p, 1)));
+    return b;
 }
 
-ParameterValues valuesOf(const Transform& t)
-{
-    return {{"position", t.translation}, {"rotation", glm::degrees(glm::eulerAngles(t.rotation))}, {"scale", t.scale}};
-}
-
-/// Rows between upright lines, three decimals; a number that would show as -0.000 has no sign.
-QString matrixText(const QString& title, const glm::dmat4& m)
-{
-    QString rows;
-    for (int r = 0; r < 4; ++r) {
-        rows += "<tr>";
-        for (int c = 0; c < 4; ++c) {
-            const double v = std::abs(m[c][r]) < 5e-4 ? 0 : m[c][r];
-            const QString edge = c == 0 ? "border-left: 1px solid %1;" : c == 3 ? "border-right: 1px solid %1;" : "";
-            rows += QString("<td align='right' style='padding: 1px 7px; %1'>%2</td>")
-                        .arg(edge.isEmpty() ? edge : edge.arg(tokens().text2.name()), QLocale().toString(v, 'f', 3).replace('-', QChar(0x2212)));
+/// Size and centre of the box around the shown meshes, in their own axes and in the world.
+class BoundsNumbers : public QWidget {
+public:
+    BoundsNumbers(Session& session, QWidget* parent) : QWidget(parent), session_(session)
+    {
+        auto* grid = new QGridLayout(this);
+        grid->setContentsMargins(0, 0, 0, 0);
+        grid->setHorizontalSpacing(4);
+        grid->setVerticalSpacing(2);
+        static const char* const titles[] = {"Size", "Centre"};
+        static const char* const tips[2][2] = {{"Of the box along the mesh's own axes", "Its middle, in the mesh's own space"},
+                                               {"Of the box along the axes of the world", "Its middle in the world"}};
+        for (int space = 0; space < 2; ++space) {
+            auto* head = new QLabel(space == 0 ? "Own axes" : "World", this);
+            head->setProperty("secondary", true);
+            grid->addWidget(head, 3 * space, 0);
+            for (int axis = 0; axis < 3; ++axis) {
+                auto* unit = new QLabel(QString("%1, m").arg("XYZ"[axis]), this);
+                unit->setProperty("secondary", true);
+                unit->setAlignment(Qt::AlignRight);
+                grid->addWidget(unit, 3 * space, 1 + axis);
+            }
+            for (int row = 0; row < 2; ++row) {
+                auto* title = new QLabel(titles[row], this);
+                title->setToolTip(tips[space][row]);
+                grid->addWidget(title, 3 * space + 1 + row, 0);
+                for (int axis = 0; axis < 3; ++axis) {
+                    QLabel*& cell = cells_[2 * space + row][axis];
+                    cell = new QLabel(this);
+                    cell->setAlignment(Qt::AlignRight);
+                    cell->setTextInteractionFlags(Qt::TextSelectableByMouse);
+                    grid->addWidget(cell, 3 * space + 1 + row, 1 + axis);
+                }
+            }
         }
-        rows += "</tr>";
+        for (int axis = 0; axis < 3; ++axis) grid->setColumnStretch(1 + axis, 1);
+        cells_[0][0]->setObjectName("boundsSizeX");
+        cells_[2][0]->setObjectName("boundsWorldSizeX");
     }
-    return QString("<p style='margin: 6px 0 2px 0; color: %1'>%2</p><table cellspacing='0'>%3</table>").arg(tokens().text2.name(), title, rows);
-}
+    /// False when none of the nodes shows anything with a size.
+    bool show(const std::vector<NodeId>& nodes)
+    {
+        const Scene& scene = session_.document.scene();
+        const auto worlds = worldMatrices(scene, session_.playback ? session_.playback->pose() : ScenePose());
+        Bounds local, world;
+        for (const NodeId id : nodes) {
+            const Node& n = scene.node(id);
+            if (!n.mesh) continue;
+            const Mesh mesh = shownMesh(session_, n.mesh);
+            local.add(mesh.bounds());
+            world.add(placed(mesh, worldFromMesh(scene, id, worlds)));
+        }
+        if (local.empty) return false;
+        const bool one = nodes.size() == 1;
+        const glm::dvec3 rows[] = {local.size(), local.centre(), world.size(), world.centre()};
+        for (int row = 0; row < 4; ++row)
+            for (int axis = 0; axis < 3; ++axis) {
+                const bool said = one || row >= 2;  // boxes in different spaces have no common one
+                cells_[row][axis]->setText(said ? look::number(rows[row][axis]) : QString("mixed"));
+                cells_[row][axis]->setToolTip(said ? look::exactNumber(rows[row][axis]) + " m" : QString());
+            }
+        return true;
+    }
+
+private:
+    Session& session_;
+    QLabel* cells_[4][3];
+};
 
 class Properties : public QWidget {
 public:
@@ -78,158 +103,97 @@ public:
     {
         auto* outer = new QVBoxLayout(this);
         outer->setContentsMargins(0, 0, 0, 0);
-        auto* area = new QScrollArea(this);
-        inside_ = new QWidget(area);
-        box_ = new QVBoxLayout(inside_);
-        box_->setContentsMargins(8, 8, 8, 8);
-        area->setWidget(inside_);
-        area->setWidgetResizable(true);
-        outer->addWidget(area);
+        empty_ = emptyStateLabel("Select a node to see where it is and what it is made of.", this);
+        area_ = new QScrollArea(this);
+        area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        auto* inside = new QWidget(area_);
+        auto* box = new QVBoxLayout(inside);
+        box->setContentsMargins(8, 8, 8, 8);
+        box->setSpacing(6);
+        name_ = new QLabel(inside);
+        name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        note_ = new QLabel(inside);
+        note_->setProperty("secondary", true);
+        note_->setWordWrap(true);
+        auto* transform = new Fold("Transform", "transform", true, inside);
+        fields_ = new TransformFields(session_, transform);
+        transform->inside()->addWidget(fields_);
+        transform->inside()->addWidget(note_);
+        boundsFold_ = new Fold("Bounding box", "bounds", true, inside);
+        bounds_ = new BoundsNumbers(session_, boundsFold_);
+        boundsFold_->inside()->addWidget(bounds_);
+        material_ = new MaterialSection(session_, inside);
+        matricesFold_ = new Fold("Matrices", "matrices", false, inside);
+        matrices_ = new MatrixProduct(session_, matricesFold_);
+        matricesFold_->inside()->addWidget(matrices_);
+        for (QWidget* w : {static_cast<QWidget*>(name_), static_cast<QWidget*>(transform), static_cast<QWidget*>(material_),
+                           static_cast<QWidget*>(matricesFold_), static_cast<QWidget*>(boundsFold_)})
+            box->addWidget(w);
+        box->addStretch(1);
+        area_->setWidget(inside);
+        area_->setWidgetResizable(true);
+        outer->addWidget(empty_, 0, Qt::AlignTop);
+        outer->addWidget(area_, 1);
         subscription_ = session_.document.subscribe([this](const Change& c) {
-            if (c.aspects & (Aspect::Selection | Aspect::Tree | Aspect::Transform | Aspect::Material | Aspect::File | Aspect::History))
-                QMetaObject::invokeMethod(
-                    this, [this] { refresh(); }, Qt::QueuedConnection);
+            if (c.aspects & (Aspect::Selection | Aspect::Tree | Aspect::Transform | Aspect::Material | Aspect::Mesh | Aspect::Stack |
+                             Aspect::Evaluation | Aspect::Skin | Aspect::File | Aspect::History))
+                refreshSoon();
         });
         connect(&session_.view, &ViewState::timeChanged, this, [this] {
-            if (isVisible()) showMatrices();
+            if (isVisible() && matricesFold_->isOpen()) matrices_->refresh();
         });
+        connect(&session_.view, &ViewState::changed, this, [this] {
+            if (session_.view.shownLevel != levels_) refreshSoon();
+        });
+        for (Fold* f : {boundsFold_, matricesFold_}) connect(f, &Fold::opened, this, [this] { refresh(); });
         refresh();
     }
 
 private:
-    void heading(const QString& text)
+    void refreshSoon()
     {
-        auto* l = new QLabel("<b>" + text.toHtmlEscaped() + "</b>", inside_);
-        l->setContentsMargins(0, 6, 0, 2);
-        box_->addWidget(l);
-    }
-
-    void clear()
-    {
-        while (QLayoutItem* item = box_->takeAt(0)) {
-            if (item->widget()) item->widget()->deleteLater();
-            delete item;
-        }
-        transform_ = material_ = nullptr;
-        matrices_ = nullptr;
-    }
-
-    MaterialId materialOf(NodeId id) const
-    {
-        const Node* n = session_.document.scene().find(id);
-        const MeshObject* o = n ? session_.document.scene().find(n->mesh) : nullptr;
-        return o && !o->materials.empty() ? o->materials.front() : MaterialId{};
-    }
-
-    ParameterValues materialValues(MaterialId id) const
-    {
-        const Material* m = session_.document.scene().find(id);
-        if (!m) return {};
-        return {{"color", glm::dvec3(m->baseColor)}, {"metallic", m->metallic}, {"roughness", m->roughness}, {"doubleSided", m->doubleSided}};
+        if (std::exchange(pending_, true)) return;
+        QMetaObject::invokeMethod(
+            this, [this] { refresh(); }, Qt::QueuedConnection);
     }
 
     void refresh()
     {
-        const NodeId active = session_.document.selection().active();
-        const Node* node = session_.document.scene().find(active);
-        const MaterialId material = materialOf(active);
-        if (node && active == shown_ && material == shownMaterial_ && transform_) {
-            transform_->setValues(valuesOf(node->local));
-            showMatrices();
-            if (material_) material_->setValues(materialValues(material));
-            return;
-        }
-        clear();
-        shown_ = active;
-        shownMaterial_ = material;
-        if (!node) {
-            box_->addWidget(emptyStateLabel("Select a node to see where it is and what it is made of.", inside_));
-            box_->addStretch(1);
-            return;
-        }
-        heading(nodeName(session_.document.scene(), active));
-        transform_ = new ParameterForm(described<TransformForm>(), valuesOf(node->local), inside_);
-        box_->addWidget(transform_);
-        connect(transform_, &ParameterForm::committed, this, [this](const ParameterValues& v, const QString& what) { moveTo(v, what); });
-        if (material) {
-            heading("Material: " + QString::fromStdString(session_.document.scene().find(material)->name));
-            material_ = new ParameterForm(described<MaterialForm>(), materialValues(material), inside_);
-            box_->addWidget(material_);
-            connect(material_, &ParameterForm::edited, this, [this](const ParameterValues& v) { session_.document.preview(withMaterial(v)); });
-            connect(material_, &ParameterForm::committed, this, [this](const ParameterValues& v, const QString& what) {
-                session_.document.commit("Material: " + what.toStdString(), withMaterial(v));
-            });
-        } else if (node->mesh) {
-            box_->addWidget(emptyStateLabel("No material: the mesh is shown in plain clay.", inside_));
-        }
-        if (node->joint != Node::Joint::No) addMatrices();
-        box_->addStretch(1);
-    }
-
-    void addMatrices()
-    {
-        heading("At the playhead");
-        matrices_ = new QLabel(inside_);
-        matrices_->setObjectName("jointMatrices");
-        matrices_->setTextFormat(Qt::RichText);
-        matrices_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        matrices_->setToolTip("Matrices act on columns; the last column is the place, in metres.");
-        box_->addWidget(matrices_);
-        showMatrices();
-    }
-
-    /// The joint's own transform, where that puts it, and the offset matrix that brings the mesh into its space (7.7).
-    void showMatrices()
-    {
+        pending_ = false;
         const Scene& scene = session_.document.scene();
-        const Node* node = scene.find(shown_);
-        if (!matrices_ || !node) return;
-        const ScenePose pose = session_.playback ? session_.playback->pose() : ScenePose();
-        const auto posed = pose.locals.find(shown_);
-        const Transform local = posed == pose.locals.end() ? node->local : posed->second;
-        QString text = matrixText("Local: parent from joint", local.matrix());
-        text += matrixText("World: world from joint", worldMatrices(scene, pose).at(shown_));
-        for (const SkinId id : scene.skins()) {
-            const Skin& skin = *scene.find(id);
-            const auto at = std::find(skin.joints.begin(), skin.joints.end(), shown_);
-            if (at == skin.joints.end()) continue;
-            text += matrixText("Offset: joint from mesh, at rest", skin.inverseBind[size_t(at - skin.joints.begin())]);
-            break;
-        }
-        matrices_->setText(text);
-    }
-
-    void moveTo(const ParameterValues& v, const QString& what)
-    {
-        Scene next = session_.document.scene();
-        Node n = next.node(shown_);
-        n.local.translation = std::get<glm::dvec3>(v.at("position"));
-        n.local.rotation = glm::dquat(glm::radians(std::get<glm::dvec3>(v.at("rotation"))));
-        n.local.scale = std::get<glm::dvec3>(v.at("scale"));
-        const std::string name = n.name + ": " + what.toStdString();
-        next.set(shown_, std::move(n));
-        session_.document.commit(name, std::move(next));
-    }
-
-    Scene withMaterial(const ParameterValues& v) const
-    {
-        Scene next = session_.document.scene();
-        Material m = *next.find(shownMaterial_);
-        m.baseColor = glm::dvec4(std::get<glm::dvec3>(v.at("color")), m.baseColor.a);
-        m.metallic = std::get<double>(v.at("metallic"));
-        m.roughness = std::get<double>(v.at("roughness"));
-        m.doubleSided = std::get<bool>(v.at("doubleSided"));
-        next.set(shownMaterial_, std::move(m));
-        return next;
+        levels_ = session_.view.shownLevel;
+        std::vector<NodeId> nodes = session_.document.selection().nodes;
+        std::erase_if(nodes, [&](NodeId id) { return !scene.find(id); });
+        empty_->setVisible(nodes.empty());
+        area_->setVisible(!nodes.empty());
+        if (nodes.empty()) return;
+        const NodeId active = nodes.back();
+        const bool one = nodes.size() == 1;
+        name_->setText("<b>" + (one ? nodeName(scene, active) : counted(nodes.size(), "node", "nodes")).toHtmlEscaped() + "</b>");
+        fields_->setNodes(nodes);
+        const Clip* clip = session_.playback ? session_.playback->clip() : nullptr;
+        bool driven = false;
+        if (clip)
+            for (const auto& c : clip->channels) driven = driven || std::find(nodes.begin(), nodes.end(), c->node) != nodes.end();
+        const bool skinned = bool(scene.node(active).skin);
+        note_->setText(driven ? "A clip moves it; these are its numbers at rest."
+                              : "Its skin places the mesh; the node's own transform does not count.");
+        note_->setVisible(driven || skinned);
+        if (boundsFold_->isOpen() || boundsFold_->isHidden()) boundsFold_->setVisible(bounds_->show(nodes));
+        material_->setNode(one ? active : NodeId{});
+        if (matricesFold_->isOpen()) matrices_->setNode(active);
     }
 
     Session& session_;
-    QWidget* inside_;
-    QVBoxLayout* box_;
-    QLabel* matrices_ = nullptr;
-    ParameterForm *transform_ = nullptr, *material_ = nullptr;
-    NodeId shown_;
-    MaterialId shownMaterial_;
+    QLabel *empty_, *name_, *note_;
+    QScrollArea* area_;
+    TransformFields* fields_;
+    Fold *boundsFold_, *matricesFold_;
+    BoundsNumbers* bounds_;
+    MaterialSection* material_;
+    MatrixProduct* matrices_;
+    std::map<MeshId, size_t> levels_;
+    bool pending_ = false;
     std::shared_ptr<void> subscription_;
 };
 

@@ -1,4 +1,4 @@
-// Transform and material of the active node as forms.
+// Where the selected nodes are, what the active one is made of, and the matrices that lead to it.
 #pragma once
 #include "ui/session.h"
 

@@ -140,6 +140,7 @@ private slots:
     void theProductOfMatricesIsTheWorldMatrix();
     void boundsAreThoseOfTheMesh();
     void coloursAreLinearInsideAndScreenOutside();
+    void lightOfTheViewIsNoEdit();
     void slotsAssignAndShare();
     void aPictureByFileAndWhyNot();
     void theUvPanelSelectsWithTheView();
@@ -178,6 +179,7 @@ void PanelsTest::rotationKeepsItsNumbers()
 void PanelsTest::aDragIsOneEntryAndEscLeavesIt()
 {
     Desk d(makePropertiesPanel);
+    QVERIFY(QTest::qWaitForWindowActive(d.panel.get()));  // only then a press gives the focus
     QLineEdit* line = d.field("position-x")->findChild<QLineEdit*>();
     const auto drag = [&](int by, bool release) {
         QTest::mousePress(line, Qt::LeftButton, {}, {10, 8});
@@ -197,8 +199,6 @@ void PanelsTest::aDragIsOneEntryAndEscLeavesIt()
     QApplication::processEvents();
     QCOMPARE(d.document.scene().node(d.first).local.translation.x, 2.0);
     QCOMPARE(d.document.history().size(), size_t(1));
-    d.panel->setFocus();
-    d.field("position-x")->clearFocus();
     drag(50, true);
     QVERIFY(std::abs(d.document.scene().node(d.first).local.translation.x - 2.5) < 1e-9);
     QCOMPARE(d.document.history().size(), size_t(2));
@@ -272,6 +272,22 @@ void PanelsTest::coloursAreLinearInsideAndScreenOutside()
     QVERIFY(std::abs(d.material().baseColor.r - 0.2158605) < 1e-6);
     QCOMPARE(d.document.history().size(), size_t(2));
     QApplication::activePopupWidget()->close();
+}
+
+void PanelsTest::lightOfTheViewIsNoEdit()
+{
+    Desk d(makePropertiesPanel);
+    auto* form = d.panel->findChild<ParameterForm*>("viewForm");
+    QVERIFY(form);
+    emit form->committed({{"light", std::string("environment")}, {"turn", 90.0}, {"shadows", true}}, "");
+    QVERIFY(d.view.options.lighting == Lighting::Environment);
+    QVERIFY(std::abs(d.view.options.environmentTurn - 1.5707963267948966) < 1e-12);
+    QVERIFY(d.view.options.shadows);
+    QVERIFY(!d.view.options.checker);
+    d.view.options.checker = true;  // as a menu does
+    d.view.touch();
+    QCOMPARE(std::get<bool>(form->values().at("checker")), true);
+    QCOMPARE(d.document.history().size(), size_t(1));
 }
 
 void PanelsTest::slotsAssignAndShare()

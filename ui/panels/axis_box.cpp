@@ -49,12 +49,19 @@ QString AxisBox::textFromValue(double v) const
     return QString::number(r, 'g', std::abs(r) >= 1000 ? 6 : 4).replace('-', QChar(0x2212));
 }
 
+// A press on a field without the focus gives it the focus first and comes afterwards: that press may become a drag.
+void AxisBox::focusInEvent(QFocusEvent* e)
+{
+    fresh_ = e->reason() == Qt::MouseFocusReason;
+    NumberBox::focusInEvent(e);
+}
+
 bool AxisBox::eventFilter(QObject* o, QEvent* e)
 {
     auto* mouse = e->type() == QEvent::MouseButtonPress || e->type() == QEvent::MouseMove || e->type() == QEvent::MouseButtonRelease
                       ? static_cast<QMouseEvent*>(e)
                       : nullptr;
-    if (mouse && e->type() == QEvent::MouseButtonPress && mouse->button() == Qt::LeftButton && !hasFocus()) {
+    if (mouse && e->type() == QEvent::MouseButtonPress && mouse->button() == Qt::LeftButton && (std::exchange(fresh_, false) || !hasFocus())) {
         pressed_ = true;
         from_ = mouse->globalPosition().toPoint();
         start_ = value();
@@ -79,6 +86,7 @@ bool AxisBox::eventFilter(QObject* o, QEvent* e)
         return true;
     } else if (e->type() == QEvent::KeyPress && dragging_ && static_cast<QKeyEvent*>(e)->key() == Qt::Key_Escape) {
         dragging_ = pressed_ = false;
+        clearFocus();
         emit abandoned();
         return true;
     }

@@ -22,9 +22,10 @@ signals:
 
 protected:
     bool eventFilter(QObject* o, QEvent* e) override;
+    void focusInEvent(QFocusEvent* e) override;
 
 private:
-    bool mixed_ = false, typed_ = false, dragging_ = false, pressed_ = false, setting_ = false;
+    bool mixed_ = false, typed_ = false, fresh_ = false, dragging_ = false, pressed_ = false, setting_ = false;
     QPoint from_;
     double start_ = 0;
 };

@@ -153,8 +153,14 @@ private:
     {
         const Node& n = session_.document.scene().node(id);
         const bool joint = n.joint != Node::Joint::No;
-        auto* name = new QStandardItem(icon(n.mesh ? "mesh" : joint ? "bone" : "tree"), nodeName(session_.document.scene(), id));
+        auto* name = new QStandardItem(icon(n.mesh      ? "mesh"
+                                            : n.terrain ? "terrain"
+                                            : joint     ? "bone"
+                                                        : "tree"),
+                                       nodeName(session_.document.scene(), id));
+        const size_t users = n.mesh ? session_.document.scene().users(n.mesh) : 0;
         auto* counts = new QStandardItem(n.mesh ? countsText(session_.document.shownMesh(n.mesh)) : QString());
+        if (users > 1) counts->setText(counted(users, "user", "users") + ", " + counts->text());
         auto* eye = new QStandardItem(icon(n.visible ? "eye" : "eye-off", n.visible ? QColor() : tokens().text3), QString());
         name->setData(id.value, nodeRole);
         name->setData(joint, jointRole);
@@ -170,8 +176,7 @@ private:
         eye->setToolTip(n.visible ? "Hide (H)" : "Show (H)");
         eye->setData(n.visible ? "shown" : "hidden", Qt::AccessibleTextRole);
         if (!n.visible) name->setForeground(tokens().text3);
-        if (n.mesh && session_.document.scene().users(n.mesh) > 1)
-            name->setToolTip(QString("%1 nodes show this mesh").arg(session_.document.scene().users(n.mesh)));
+        if (users > 1) name->setToolTip(QString("%1 nodes show this mesh").arg(users));
         for (NodeId child : n.children) name->appendRow(rowOf(child));
         return {name, counts, eye};
     }

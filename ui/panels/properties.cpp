@@ -14,6 +14,7 @@
 #include "ui/panels/material_section.h"
 #include "ui/panels/matrix_product.h"
 #include "ui/panels/transform_fields.h"
+#include "ui/panels/view_section.h"
 #include "ui/playback.h"
 #include "ui/viewport/frame_builder.h"
 #include "ui/words.h"
@@ -103,12 +104,16 @@ public:
     {
         auto* outer = new QVBoxLayout(this);
         outer->setContentsMargins(0, 0, 0, 0);
-        empty_ = emptyStateLabel("Select a node to see where it is and what it is made of.", this);
-        area_ = new QScrollArea(this);
-        area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        auto* inside = new QWidget(area_);
+        auto* area = new QScrollArea(this);
+        area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        auto* page = new QWidget(area);
+        auto* column = new QVBoxLayout(page);
+        column->setContentsMargins(8, 8, 8, 8);
+        column->setSpacing(6);
+        empty_ = emptyStateLabel("Select a node to see where it is and what it is made of.", page);
+        auto* inside = ofNodes_ = new QWidget(page);
         auto* box = new QVBoxLayout(inside);
-        box->setContentsMargins(8, 8, 8, 8);
+        box->setContentsMargins(0, 0, 0, 0);
         box->setSpacing(6);
         name_ = new QLabel(inside);
         name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -129,11 +134,13 @@ public:
         for (QWidget* w : {static_cast<QWidget*>(name_), static_cast<QWidget*>(transform), static_cast<QWidget*>(material_),
                            static_cast<QWidget*>(matricesFold_), static_cast<QWidget*>(boundsFold_)})
             box->addWidget(w);
-        box->addStretch(1);
-        area_->setWidget(inside);
-        area_->setWidgetResizable(true);
-        outer->addWidget(empty_, 0, Qt::AlignTop);
-        outer->addWidget(area_, 1);
+        column->addWidget(empty_);
+        column->addWidget(ofNodes_);
+        column->addWidget(makeViewSection(session_, page));
+        column->addStretch(1);
+        area->setWidget(page);
+        area->setWidgetResizable(true);
+        outer->addWidget(area);
         subscription_ = session_.document.subscribe([this](const Change& c) {
             if (c.aspects & (Aspect::Selection | Aspect::Tree | Aspect::Transform | Aspect::Material | Aspect::Mesh | Aspect::Stack |
                              Aspect::Evaluation | Aspect::Skin | Aspect::File | Aspect::History))
@@ -165,7 +172,7 @@ private:
         std::vector<NodeId> nodes = session_.document.selection().nodes;
         std::erase_if(nodes, [&](NodeId id) { return !scene.find(id); });
         empty_->setVisible(nodes.empty());
-        area_->setVisible(!nodes.empty());
+        ofNodes_->setVisible(!nodes.empty());
         if (nodes.empty()) return;
         const NodeId active = nodes.back();
         const bool one = nodes.size() == 1;
@@ -186,7 +193,7 @@ private:
 
     Session& session_;
     QLabel *empty_, *name_, *note_;
-    QScrollArea* area_;
+    QWidget* ofNodes_;
     TransformFields* fields_;
     Fold *boundsFold_, *matricesFold_;
     BoundsNumbers* bounds_;

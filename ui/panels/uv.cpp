@@ -130,19 +130,6 @@ private:
             c->setMinimumWidth(48);
             line->addWidget(c, 1);
         }
-        const auto button = [&](const char* image, const QString& name, const QString& tip, auto action) {
-            auto* b = new QToolButton(body_);
-            b->setIcon(icon(image, tokens().text2));
-            b->setFixedSize(24, 24);
-            b->setStyleSheet("padding: 0px;");
-            b->setFocusPolicy(Qt::TabFocus);
-            b->setAccessibleName(name);
-            b->setToolTip(tip);
-            connect(b, &QToolButton::clicked, this, action);
-            line->addWidget(b);
-        };
-        button("frame", "Fit", "Show all texture coordinates (F)", [this] { canvas_->fit(); });
-        button("picture", "Save picture...", "Save the layout as PNG, 2,048 pixels wide", [this] { save(); });
         box->addLayout(line);
         connect(set_, &QComboBox::activated, this, [this] { refresh(); });
         connect(colour_, &QComboBox::activated, this, [this] { show(); });
@@ -166,6 +153,19 @@ private:
         });
         line->addWidget(folded_, 1);
         line->addWidget(select_);
+        const auto button = [&](const char* image, const QString& name, const QString& tip, auto action) {
+            auto* b = new QToolButton(body_);
+            b->setIcon(icon(image, tokens().text2));
+            b->setFixedSize(24, 24);
+            b->setStyleSheet("padding: 0px;");
+            b->setFocusPolicy(Qt::TabFocus);
+            b->setAccessibleName(name);
+            b->setToolTip(tip);
+            connect(b, &QToolButton::clicked, this, action);
+            line->addWidget(b);
+        };
+        button("frame", "Fit", "Show all texture coordinates (F)", [this] { canvas_->fit(); });
+        button("picture", "Save picture...", "Save the layout as PNG, 2,048 pixels wide", [this] { save(); });
         box->addLayout(line);
         auto* second = new QHBoxLayout;
         figures_ = new QLabel(body_);
@@ -231,6 +231,7 @@ private:
             for (int i = 0; i < sets; ++i) set_->addItem(QString("Set %1").arg(i));
             set_->setCurrentIndex(kept);
         }
+        set_->setVisible(sets > 1);  // one set leaves nothing to choose
         measure(mesh, set_->currentIndex());
         show();
     }

@@ -61,7 +61,7 @@ struct Painter {
             else {
                 p.setRenderHint(QPainter::SmoothPixmapTransform, tile.width() < 4 * options.backdrop.width());
                 p.drawImage(tile, options.backdrop);
-                p.setOpacity(0.25);  // so that lines stay readable on bright pictures
+                p.setOpacity(options.theme == Theme::Dark ? 0.5 : 0.25);  // so that lines stay readable on bright pictures
                 p.fillRect(tile, inTheme(options.theme, "#17191C", "#FFFFFF"));
                 p.setOpacity(1);
             }
@@ -100,6 +100,16 @@ struct Painter {
     void fill(QPainter& p, const std::vector<uint32_t>& faces, const QBrush& wash, const QBrush& hatch) const
     {
         p.setPen(Qt::NoPen);
+        if (hatch.style() != Qt::NoBrush && faces.size() <= 20'000) {
+            // As one shape: where faces lie on each other the wash is not laid twice.
+            QPainterPath path;
+            path.setFillRule(Qt::WindingFill);
+            for (const uint32_t f : faces)
+                if (f < subject.mesh.faceCount()) path.addPolygon(face(f)), path.closeSubpath();
+            p.fillPath(path, wash);
+            p.fillPath(path, hatch);
+            return;
+        }
         for (size_t i = 0; i < faces.size(); ++i) {
             if ((i & 1023) == 0 && stopped()) return;
             if (faces[i] >= subject.mesh.faceCount()) continue;

@@ -71,6 +71,13 @@ struct Values {
     }
 };
 
+bool sameValues(const Material& a, const Material& b)
+{
+    return a.baseColor == b.baseColor && a.metallic == b.metallic && a.roughness == b.roughness && a.emissive == b.emissive && a.alpha == b.alpha &&
+           a.alphaCutoff == b.alphaCutoff && a.normalScale == b.normalScale && a.occlusionStrength == b.occlusionStrength &&
+           a.doubleSided == b.doubleSided;
+}
+
 void setValues(Scene& scene, const Values& p, EditRun&)
 {
     const MaterialId id = materialAt(scene, nodeOf(scene, p.node), p.slot);
@@ -84,7 +91,7 @@ void setValues(Scene& scene, const Values& p, EditRun&)
     m.normalScale = p.normalScale;
     m.occlusionStrength = p.occlusion;
     m.doubleSided = p.doubleSided;
-    scene.set(id, std::move(m));
+    if (!sameValues(m, *scene.find(id))) scene.set(id, std::move(m));
 }
 
 std::string valuesName(const Scene& scene, const Values& p)

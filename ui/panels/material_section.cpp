@@ -226,7 +226,7 @@ void MaterialSection::newMaterial(int64_t like)
     if (!object()) return;
     const int64_t made = int64_t(object()->materials.size());
     const Material* m = material();
-    run({"new-material", {{"node", node()}, {"like", like}, {"name", like >= 0 && m ? m->name : std::string("Material")}}});
+    run({"add-slot", {{"node", node()}, {"like", like}, {"name", like >= 0 && m ? m->name : std::string("Material")}}});
     slot_ = made;
     refresh();
 }
@@ -236,7 +236,7 @@ void MaterialSection::assign()
     const Selection& s = session_.document.selection();
     std::string faces;
     if (s.elementsOf == node_ && s.elements.kind == ElementKind::Face) faces = elementText(s.elements);
-    run({"assign-material", {{"node", node()}, {"slot", slot_}, {"faces", faces}}});
+    run({"assign-slot", {{"node", node()}, {"slot", slot_}, {"faces", faces}}});
 }
 
 void MaterialSection::setNode(NodeId id)
@@ -259,7 +259,7 @@ void MaterialSection::fillSlots()
         // Kept and rewritten, because this may run while one of them is being renamed.
         QListWidgetItem* item = int(i) < slots_->count() ? slots_->item(int(i)) : new QListWidgetItem(slots_);
         item->setIcon(swatch(m ? glm::dvec3(m->baseColor) : glm::dvec3(0.8), devicePixelRatioF()));
-        item->setText(m ? QString::fromStdString(m->name) : QString());
+        item->setText(m ? QString::fromStdString(m->name) : QString("None"));
         item->setSizeHint({0, rowHeight});
         item->setFlags(item->flags() | Qt::ItemIsEditable);
         item->setToolTip(QString("%1, slot %2: %3. Double click renames.").arg(item->text()).arg(i).arg(counted(faces[i], "face", "faces")));
@@ -277,9 +277,10 @@ void MaterialSection::refresh()
     slot_ = std::clamp<int64_t>(slot_, 0, std::max<int64_t>(0, int64_t(o->materials.size()) - 1));
     fillSlots();
     const Material* m = material();
+    const bool any = !o->materials.empty();
     none_->setVisible(!m);
-    slots_->setVisible(m);
-    assign_->setVisible(m);
+    slots_->setVisible(any);
+    assign_->setVisible(any);
     values_->setVisible(m);
     textures_->setVisible(m);
     const Selection& s = session_.document.selection();

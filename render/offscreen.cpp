@@ -1,4 +1,4 @@
-// Surfaceless EGL, a multisampled framebuffer, reading back, PNG.
+// Surfaceless EGL, and PNG.
 #include "render/offscreen.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <png.h>
 
 #include "core/error.h"
-#include "render/gl.h"
+#include "render/picture_target.h"
 
 namespace mw {
 namespace {
@@ -74,45 +74,11 @@ struct Context {
     ~Context() { close(); }
 };
 
-/// A colour and a depth buffer of some samples.
-struct Target {
-    gl::Framebuffer framebuffer;
-    gl::Renderbuffer color, depth;
-    int width = 0, height = 0, samples = -1;
-
-    void resize(int w, int h, int s)
-    {
-        if (w == width && h == height && s == samples) return;
-        width = w, height = h, samples = s;
-        glBindRenderbuffer(GL_RENDERBUFFER, color.id());
-        glRenderbufferStorageMultisample(GL_RENDERBUFFER, s, GL_RGBA8, w, h);
-        glBindRenderbuffer(GL_RENDERBUFFER, depth.id());
-        glRenderbufferStorageMultisample(GL_RENDERBUFFER, s, GL_DEPTH24_STENCIL8, w, h);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color.get());
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.get());
-        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            throw Error("the graphics driver cannot make a picture of " + std::to_string(w) + " x " + std::to_string(h) +
-                        " pixels; take a smaller size");
-    }
-};
-
 void onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void* sink)
 {
     if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || type == GL_DEBUG_TYPE_PERFORMANCE || type == GL_DEBUG_TYPE_OTHER) return;
     auto* messages = static_cast<std::vector<std::string>*>(const_cast<void*>(sink));
     messages->emplace_back(text, length < 0 ? std::strlen(text) : size_t(length));
-}
-
-Picture readBack(int width, int height)
-{
-    Picture p{width, height, std::vector<uint8_t>(size_t(width) * size_t(height) * 4)};
-    const size_t row = size_t(width) * 4;
-    std::vector<uint8_t> below(p.rgba.size());
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, below.data());
-    for (size_t y = 0; y < size_t(height); ++y) std::copy_n(below.data() + (size_t(height) - 1 - y) * row, row, p.rgba.data() + y * row);
-    return p;
 }
 
 }  // namespace
@@ -121,7 +87,7 @@ struct Offscreen::Impl {
     std::vector<std::string> messages;
     Context context;
     std::unique_ptr<Renderer> renderer;
-    Target drawn, resolved;
+    PictureTarget target;
 
     ~Impl()
     {
@@ -162,25 +128,7 @@ const std::vector<std::string>& Offscreen::messages() const
 Picture Offscreen::draw(const Frame& frame, int width, int height)
 {
     impl_->context.makeCurrent();
-    GLint most = 0, mostSamples = 0;
-    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
-    glGetIntegerv(GL_MAX_SAMPLES, &mostSamples);
-    if (width < 1 || height < 1 || width > most || height > most)
-        throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels cannot be drawn; each side may have 1 to " +
-                    std::to_string(most));
-    const int samples = std::clamp(frame.options.samples, 0, int(mostSamples));
-    impl_->drawn.resize(width, height, samples > 1 ? samples : 0);
-    impl_->renderer->draw(frame, impl_->drawn.framebuffer.get(), {width, height});
-    GLuint readFrom = impl_->drawn.framebuffer.get();
-    if (samples > 1) {
-        impl_->resolved.resize(width, height, 0);
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, readFrom);
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, impl_->resolved.framebuffer.get());
-        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-        readFrom = impl_->resolved.framebuffer.get();
-    }
-    glBindFramebuffer(GL_FRAMEBUFFER, readFrom);
-    return readBack(width, height);
+    return impl_->target.draw(*impl_->renderer, frame, width, height);
 }
 
 void writePng(const Picture& picture, const std::string& file)

@@ -120,13 +120,18 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     toolMenu->addSeparator();
     toolMenu->addActions({localAxes, pivotCentre, copyMeasurement});
     view->addMenu("Split")->addActions({oneView, split, fourViews, linkCameras, compareBase});
+    view->addMenu("Matcap")->addActions(matcaps);
+    auto* light = view->addMenu("Light");
+    light->addActions(lights);
+    light->addSeparator();
+    light->addActions({turnLight, shadows});
     auto* overlays = view->addMenu("Overlays");
-    overlays->addActions({wireOverlay, xray, grid, normals, bones, orientation, legend});
+    overlays->addActions({wireOverlay, xray, checker, grid, normals, bones, orientation, legend});
     view->addSeparator();
     view->addMenu("Theme")->addActions(themes);
     view->addAction(reducedMotion);
     view->addSeparator();
-    view->addAction(picture);
+    view->addActions({picture, turntable});
     auto* mesh = bar->addMenu("Mesh");
     auto* sources = mesh->addMenu("Add");
     sources->addActions(addSources);
@@ -218,6 +223,7 @@ void Actions::refresh()
     bones->setChecked(s_.view.showBones);
     pickKinds[int(s_.view.pickKind)]->setChecked(true);
     shadings[int(s_.view.options.shading)]->setChecked(true);
+    refreshLight();
 }
 
 }  // namespace mw

@@ -23,7 +23,8 @@ struct Actions {
         *ownCopy, *copyHistory;
     QAction *selectAll, *selectNone, *invert, *hide, *hideOthers, *showAll;
     QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *bones, *picture, *resetCamera;
-    QAction *reducedMotion, *nextPickKind;
+    QAction *reducedMotion, *nextPickKind, *shadows, *checker, *turnLight, *turntable;
+    QList<QAction*> lights, matcaps;
     QList<QAction*> themes;
     QAction *split, *fourViews, *oneView, *linkCameras, *compareBase, *localAxes, *pivotCentre, *copyMeasurement;
     QList<QAction*> pickKinds, shadings, views, tools, addModifiers, addSources, stepThroughs, terrainActions, terrainEdits;
@@ -52,6 +53,8 @@ private:
     void makeTools();
     void makeViews();
     Viewport& viewport() const;  // the active one
+    void makeLight();
+    void refreshLight();
     void makeCatalog();
     void makeTerrain();
     void fillRecent();

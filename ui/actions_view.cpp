@@ -2,8 +2,6 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
-#include <QFileInfo>
 
 #include "ui/viewport/measure_tool.h"
 #include "ui/viewport/viewport.h"
@@ -40,7 +38,8 @@ void Actions::makeView()
         Shading shading;
     } kinds[] = {{"Smooth", "smooth", "Normals vary over faces", Shading::Smooth},
                  {"Flat", "flat", "One normal a face", Shading::Flat},
-                 {"Wire", "wire", "Edges only", Shading::Wire}};
+                 {"Wire", "wire", "Edges only", Shading::Wire},
+                 {"Matcap", "matcap", "Lit as a sphere of one material is, whatever the lights; View > Matcap chooses which", Shading::Matcap}};
     for (const auto& k : kinds) {
         auto* a = make(k.text, k.icon, "", k.tip, [&s, shading = k.shading] {
             s.view.options.shading = shading;
@@ -64,10 +63,7 @@ void Actions::makeView()
     bones->setCheckable(true);
     orientation = toggle("Orientation marker", "", "", "Where X, Y and Z point", &ViewOptions::orientationMarker);
     legend = toggle("Legend", "", "", "What the colours mean", &ViewOptions::legend);
-    picture = make("Save picture...", "picture", "", "Save what the view shows as PNG", [this] {
-        const QString file = QFileDialog::getSaveFileName(window_, "Save picture", "view.png", "PNG (*.png)");
-        if (!file.isEmpty()) viewport().grabFramebuffer().save(QFileInfo(file).suffix().isEmpty() ? file + ".png" : file);
-    });
+    makeLight();
     auto* themeGroup = new QActionGroup(window_);
     const struct {
         const char *text, *tip;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/theme.h"
+#include "render/picture_target.h"
 #include "ui/viewport/brush_tool.h"
 #include "ui/viewport/measure_tool.h"
 #include "ui/viewport/region_tool.h"
@@ -136,6 +137,14 @@ void Viewport::paintGL()
     for (DrawTerrain& t : frame_.terrains) t.brush.reset();
     trianglesDrawn_ = renderer_ ? renderer_->counts().triangles : 0;
     emit painted();
+}
+
+Picture Viewport::picture(const Frame& of, glm::ivec2 size)
+{
+    if (!renderer_) throw Error("the graphics driver cannot draw, so there is no picture");
+    makeCurrent();
+    PictureTarget target;
+    return target.draw(*renderer_, of, size.x, size.y);
 }
 
 glm::ivec2 Viewport::deviceSize() const

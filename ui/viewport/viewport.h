@@ -9,6 +9,7 @@
 #include <QVariantAnimation>
 #include <array>
 
+#include "render/offscreen.h"
 #include "ui/viewport/frame_builder.h"
 #include "ui/viewport/tool.h"
 
@@ -46,6 +47,8 @@ public:
     void setContextMenu(QMenu* menu) { menu_ = menu; }
     size_t framesDrawn() const { return framesDrawn_; }
     const Frame& frame();
+    /// Of any size, drawn off-screen by the same renderer. Throws Error when the driver cannot.
+    Picture picture(const Frame& of, glm::ivec2 size);
     /// What a click at this place does; `point` in logical pixels.
     void click(QPointF point, Qt::KeyboardModifiers modifiers);
     void selectBox(const QRect& box, Qt::KeyboardModifiers modifiers);

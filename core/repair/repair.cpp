@@ -143,6 +143,11 @@ Generator repair(Mesh input, Repair p, Stage<Mesh>& stage)
     }
     co_yield Step("split").progress(0.6);
     if (p.splitEdges || p.splitVertices) mesh = splitNonmanifold(mesh, p.splitEdges, p.splitVertices);
+    // A front and its back that are held together all round are a duplicate after all, and leave open fans behind.
+    for (int round = 0; p.weld && p.dropDuplicates && round < 4 && !mesh.topology().duplicateFaces.empty(); ++round) {
+        mesh = withoutDuplicates(mesh);
+        if (p.splitEdges || p.splitVertices) mesh = splitNonmanifold(mesh, p.splitEdges, p.splitVertices);
+    }
     mesh = withoutMarks(mesh);
     co_yield Step("components").progress(0.8);
     if (p.dropTiny) mesh = withoutTiny(mesh, p.tinyShare);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "core/math/random.h"
 #include "core/mesh/topology.h"
 #include "core/repair/boundary.h"
 #include "tests/core/repair/repair_meshes.h"
@@ -333,6 +334,52 @@ TEST(Normalise, FitsBoxAndSphereAndStandsOnTheFloor)
     EXPECT_EQ(contentHash(applied("normalise", mesh, "fit=keep,centre=keep")), contentHash(mesh));
     const Mesh point(Array<glm::vec3>{{4, 5, 6}}, Array<uint32_t>{0u}, Array<uint32_t>{});
     EXPECT_EQ(applied("normalise", point, "").positions()[0], glm::vec3(0));
+}
+
+/// Faces by chance over few vertices, some of them at one place: every way to be wrong, all at once.
+Mesh soup(Random& random)
+{
+    const auto below = [&](uint32_t n) { return uint32_t(random.uniform() * n); };
+    Polygons p;
+    const uint32_t vertices = 4 + below(12), faces = 1 + below(24);
+    const int places = 2 + int(below(3));
+    for (uint32_t v = 0; v < vertices; ++v) p.positions.emplace_back(below(places), below(places), below(places));
+    for (uint32_t f = 0; f < faces; ++f) {
+        const uint32_t corners = random.uniform() < 0.8 ? 3 : 1 + below(6);
+        for (uint32_t c = 0; c < corners; ++c) p.corners.push_back(below(vertices));
+        p.start.push_back(uint32_t(p.corners.size()));
+    }
+    return p.mesh();
+}
+
+TEST(RepairOfSoups, EverySoupBecomesACleanClosedManifold)
+{
+    Random random(11);
+    for (int round = 0; round < 2000; ++round) {
+        SCOPED_TRACE(round);
+        const Mesh mesh = soup(random);
+        for (const char* how : {"", "weld=true"}) {
+            SCOPED_TRACE(how);
+            const Mesh mended = applied("repair", mesh, how);
+            ASSERT_TRUE(checkMesh(mended));
+            const TopologyReport& r = mended.topology();
+            ASSERT_TRUE(r.manifold() && r.degenerateFaces.empty() && r.duplicateFaces.empty() && r.isolatedVertices.empty());
+            ASSERT_EQ(contentHash(applied("repair", mended, "")), contentHash(mended));
+            const Mesh oriented = applied("orient", mended, "cut=true");
+            ASSERT_TRUE(oriented.topology().consistentlyOriented && oriented.topology().manifold());
+            ASSERT_EQ(oriented.faceCount(), mended.faceCount());
+            for (const char* method : {"method=flat", "method=fair"}) {
+                const Mesh filled = applied("fill-holes", oriented, method);
+                ASSERT_TRUE(checkMesh(filled));
+                const TopologyReport& f = filled.topology();
+                ASSERT_TRUE(f.manifold() && f.consistentlyOriented && f.degenerateFaces.empty()) << method;
+                ASSERT_TRUE(f.closed || filled.faceCount() == 0) << method;
+            }
+        }
+        // As it comes, not repaired first: a result, whatever it is.
+        ASSERT_TRUE(checkMesh(applied("fill-holes", mesh, "")));
+        ASSERT_TRUE(checkMesh(applied("orient", mesh, "cut=true")));
+    }
 }
 
 size_t facesLeft(const Mesh& mesh)

@@ -91,6 +91,7 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     file->addSeparator();
     file->addAction(quit);
     auto* edit = bar->addMenu("Edit");
+    edit->setToolTipsVisible(true);  // why one is off
     edit->addActions({undo, redo});
     edit->addSeparator();
     edit->addActions({duplicate, duplicateLinked, ownCopy});
@@ -161,6 +162,7 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
 QMenu* Actions::contextMenu(QWidget* parent) const
 {
     auto* m = new QMenu(parent);
+    m->setToolTipsVisible(true);
     m->addActions({frameSelection, frameAll});
     m->addSeparator();
     m->addActions({hide, hideOthers, showAll});

@@ -34,14 +34,10 @@ struct HeavyEdit {
     Session& session;
     EditCall call;
     std::function<void(const EditRun&)> then;
-    std::function<void()> failed;
+    std::function<void(const QString&)> failed;
     int tries = 3;
 
-    void refuse(const QString& text) const
-    {
-        say(session, text);
-        if (failed) failed();
-    }
+    void refuse(const QString& text) const { failed ? failed(text) : say(session, text); }
 };
 
 void run(HeavyEdit edit);
@@ -139,7 +135,7 @@ QString whyNotJoin(const Document& d)
 
 }  // namespace
 
-void run(Session& session, const EditCall& call, std::function<void(const EditRun&)> then, std::function<void()> failed)
+void run(Session& session, const EditCall& call, std::function<void(const EditRun&)> then, std::function<void(const QString&)> failed)
 {
     if (isHeavy(session.document, call)) return run(HeavyEdit{session, call, std::move(then), std::move(failed)});
     try {
@@ -151,8 +147,7 @@ void run(Session& session, const EditCall& call, std::function<void(const EditRu
         if (then) then(result);
     } catch (const Error& e) {
         session.document.cancelPreview();
-        say(session, sentence(e.what()));
-        if (failed) failed();
+        failed ? failed(sentence(e.what())) : say(session, sentence(e.what()));
     }
 }
 

@@ -9,9 +9,10 @@
 
 namespace mw::edits {
 
-/// `then` is called in the window's thread after the commit, `failed` when there is none. What goes wrong is said by session.trouble. A heavy
+/// `then` is called in the window's thread after the commit, `failed` with the reason when there is none; without
+/// it session.trouble says it. A heavy
 /// edit works on the scene as it was; when that has changed meanwhile, it is run again on what there is now, at most three times.
-void run(Session& session, const EditCall& call, std::function<void(const EditRun&)> then = {}, std::function<void()> failed = {});
+void run(Session& session, const EditCall& call, std::function<void(const EditRun&)> then = {}, std::function<void(const QString& text)> failed = {});
 /// A quick edit where there is no session at hand; false, and nothing done, when it cannot be.
 bool runQuick(Document& document, const EditCall& call);
 

@@ -83,18 +83,21 @@ void newTerrain(Session& session, const Operation& source, const ParameterValues
 
 void generate(Session& session, NodeId node, const Operation& source, const ParameterValues& values)
 {
-    run(session, {"generate-terrain",
-                  {{"node", nodeText(session.document.scene(), node)}, {"op", source.id}, {"with", printed(source.parameters, values)}}});
+    run(session,
+        {"generate-terrain", {{"node", nodeText(session.document.scene(), node)}, {"op", source.id}, {"with", printed(source.parameters, values)}}});
 }
 
 void importPicture(Session& session, const QString& file, bool asNew, std::function<void(const QString&)> done)
 {
     const NodeId node = asNew ? NodeId{} : activeTerrain(session.document);
     const std::string name = node ? nodeText(session.document.scene(), node) : std::string();
-    run(session, {"terrain-picture", {{"file", pathOf(file).string()}, {"node", name}}}, [&session, done](const EditRun& run) {
-        if (!run.made.empty()) session.view.frameNodes(run.made);
-        done({});
-    });
+    run(
+        session, {"terrain-picture", {{"file", pathOf(file).string()}, {"node", name}}},
+        [&session, done](const EditRun& run) {
+            if (!run.made.empty()) session.view.frameNodes(run.made);
+            done({});
+        },
+        done);
 }
 
 void exportPicture(Session& session, NodeId node, const QString& file, std::function<void(const QString&)> done)

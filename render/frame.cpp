@@ -94,7 +94,8 @@ void frameTightly(Frame& frame, double aspect)
 {
     CameraFit fit(frame.camera, aspect);
     for (const DrawObject& o : frame.objects) {
-        for (const glm::vec3& p : o.pose ? posedPositions(o.mesh, *o.pose) : o.mesh.positions()) fit.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(p), 1)));
+        for (const glm::vec3& p : o.pose ? posedPositions(o.mesh, *o.pose) : o.mesh.positions())
+            fit.add(glm::dvec3(o.worldFromLocal * glm::dvec4(glm::dvec3(p), 1)));
     }
     for (const DrawBone& b : frame.bones) {
         fit.add(glm::dvec3(b.head));

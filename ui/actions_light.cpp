@@ -28,11 +28,10 @@ void Actions::makeLight()
     };
     addLight("Three lights", "A key light, a fill and a rim that go with the camera", {});
     for (const Environment& e : environments()) addLight(e.title, e.about, e.name);
-    turnLight =
-        make("Turn light 30\u00b0", "", "", "Turn the surroundings about the upright axis; the three lights go with the camera", [&view] {
-            view.options.environmentTurn = std::fmod(view.options.environmentTurn + glm::radians(30.0), glm::two_pi<double>());
-            view.touch();
-        });
+    turnLight = make("Turn light 30\u00b0", "", "", "Turn the surroundings about the upright axis; the three lights go with the camera", [&view] {
+        view.options.environmentTurn = std::fmod(view.options.environmentTurn + glm::radians(30.0), glm::two_pi<double>());
+        view.touch();
+    });
     shadows = toggle("Shadows", "", "", "Of the brightest light, on objects and on the ground", &ViewOptions::shadows);
     checker = toggle("Checker", "", "", "Squares by texture coordinates in place of the colour: ten a unit", &ViewOptions::checker);
 

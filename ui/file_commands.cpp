@@ -6,9 +6,9 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "core/io/io.h"
 #include "core/io/preflight.h"
 #include "core/scene/adopt_clips.h"
-#include "core/io/io.h"
 #include "ui/edit_commands.h"
 #include "ui/evaluation_service.h"
 #include "ui/placement_words.h"
@@ -64,6 +64,15 @@ EditCall importCall(const QString& file)
     return call;
 }
 
+/// What makes a shell read a file the same way.
+std::vector<std::string> readOptions(const ImportOptions& kept)
+{
+    std::vector<std::string> options;
+    if (kept.metresPerUnit) options.insert(options.end(), {"--unit", QString::number(*kept.metresPerUnit, 'g', 17).toStdString()});
+    if (kept.up) options.insert(options.end(), {"--up", *kept.up == UpAxis::Y ? "y" : *kept.up == UpAxis::Z ? "z" : "x"});
+    return options;
+}
+
 }  // namespace
 
 FileCommands::FileCommands(Session& session, QWidget* window) : QObject(window), session_(session), window_(window) {}
@@ -91,7 +100,8 @@ void FileCommands::open(const QString& file, std::function<void()> then)
                 session_.view.shownLevel.clear();
                 project_ = read->project;
                 const auto nodes = withMesh(read->scene);
-                session_.document.open(std::move(read->scene), pathOf(file), "Open " + nameOf(file).toStdString());
+                session_.document.open(std::move(read->scene), pathOf(file), "Open " + nameOf(file).toStdString(),
+                                       {pathOf(file).string(), readOptions(keptPlacement(file))});
                 if (!nodes.empty()) session_.document.select({nodes, {}, {}});
                 remember(file);
                 emit opened();

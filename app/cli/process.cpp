@@ -162,7 +162,8 @@ int run(Arguments& arguments)
 
 const Verb processVerb{
     "process", "operations in turn, the result into a file",
-    "process IN [--op ID[:k=v,...] | --do EDIT[:k=v,...]]... -o OUT [--project] [--ascii] [--object NAME]\n        [--unit UNIT] [--up y|z|x] [--out-unit UNIT] [--out-up "
+    "process IN [--op ID[:k=v,...] | --do EDIT[:k=v,...]]... -o OUT [--project] [--ascii] [--object NAME]\n        [--unit UNIT] [--up y|z|x] "
+    "[--out-unit UNIT] [--out-up "
     "y|z|x]\n\n"
     "Each operation works on every mesh of IN; hierarchy and materials stay. IN may be - when the first operation makes something from\n"
     "nothing. OUT is written by its ending (.glb .gltf .obj .off .ply .stl); an operation that gives a table comes last and goes to .csv or .json.\n"

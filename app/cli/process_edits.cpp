@@ -92,7 +92,8 @@ int processEdits(const EditJob& job)
             }
         for (const MeshId id : scene.meshes()) foretell(*scene.find(id));
         working.now("writing " + job.out);
-        lost = writeFile(scene, job.out, {.project = job.project, .binary = !job.ascii, .placement = job.placement, .evaluator = &evaluator}, working.progress());
+        lost = writeFile(scene, job.out, {.project = job.project, .binary = !job.ascii, .placement = job.placement, .evaluator = &evaluator},
+                         working.progress());
     }
     warn(job.out, lost);
     std::cout << job.out << ": " << summary(scene) << '\n';

@@ -30,8 +30,7 @@ void dropVertices(const Mesh& mesh, const ElementSet& set, KeptElements& kept)
     for (const uint32_t v : set.indices) kept.vertices.at(v) = false;
     for (size_t f = 0; f < mesh.faceCount(); ++f)
         for (const uint32_t v : mesh.face(f)) kept.faces[f] = kept.faces[f] && kept.vertices[v];
-    for (size_t l = 0; l < kept.lines.size(); ++l)
-        kept.lines[l] = kept.vertices[mesh.lines()[2 * l]] && kept.vertices[mesh.lines()[2 * l + 1]];
+    for (size_t l = 0; l < kept.lines.size(); ++l) kept.lines[l] = kept.vertices[mesh.lines()[2 * l]] && kept.vertices[mesh.lines()[2 * l + 1]];
 }
 
 void dropEdges(const Mesh& mesh, const ElementSet& set, KeptElements& kept)
@@ -39,7 +38,9 @@ void dropEdges(const Mesh& mesh, const ElementSet& set, KeptElements& kept)
     std::vector<std::pair<uint32_t, uint32_t>> edges;
     for (size_t i = 0; i + 1 < set.indices.size(); i += 2) edges.push_back(std::minmax(set.indices[i], set.indices[i + 1]));
     std::sort(edges.begin(), edges.end());
-    const auto gone = [&](uint32_t a, uint32_t b) { return std::binary_search(edges.begin(), edges.end(), std::pair<uint32_t, uint32_t>(std::minmax(a, b))); };
+    const auto gone = [&](uint32_t a, uint32_t b) {
+        return std::binary_search(edges.begin(), edges.end(), std::pair<uint32_t, uint32_t>(std::minmax(a, b)));
+    };
     for (size_t f = 0; f < mesh.faceCount(); ++f) {
         const auto corners = mesh.face(f);
         for (size_t i = 0; i < corners.size(); ++i)

@@ -9,7 +9,8 @@ namespace mw {
 /// What is kept: one entry an element. A face or line is kept only with all its vertices.
 struct KeptElements {
     std::vector<bool> vertices, faces, lines;
-    explicit KeptElements(const Mesh& mesh) : vertices(mesh.vertexCount(), true), faces(mesh.faceCount(), true), lines(mesh.lines().size() / 2, true) {}
+    explicit KeptElements(const Mesh& mesh) : vertices(mesh.vertexCount(), true), faces(mesh.faceCount(), true), lines(mesh.lines().size() / 2, true)
+    {}
 };
 /// Elements keep their order. Group names stay.
 Mesh submesh(const Mesh& mesh, const KeptElements& kept);

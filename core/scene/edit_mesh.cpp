@@ -231,9 +231,7 @@ struct DeleteElements {
 ElementSet elementsOf(const Mesh& mesh, const DeleteElements& p)
 {
     const bool faces = p.kind == DeleteElements::Kind::Faces;
-    const ElementKind kind = faces                                        ? ElementKind::Face
-                             : p.kind == DeleteElements::Kind::Edges ? ElementKind::Edge
-                                                                          : ElementKind::Vertex;
+    const ElementKind kind = faces ? ElementKind::Face : p.kind == DeleteElements::Kind::Edges ? ElementKind::Edge : ElementKind::Vertex;
     return parsedElements(kind, p.elements, faces ? mesh.faceCount() : mesh.vertexCount());
 }
 

@@ -67,7 +67,8 @@ void remove(Scene& scene, const Nodes& p, EditRun&)
         if (!skin || going.contains(user)) continue;
         for (const NodeId j : skin->joints)
             if (going.contains(j))
-                throw Error("\"" + scene.node(j).name + "\" is a joint that moves \"" + scene.node(user).name + "\"; delete both, or that mesh first");
+                throw Error("\"" + scene.node(j).name + "\" is a joint that moves \"" + scene.node(user).name +
+                            "\"; delete both, or that mesh first");
     }
     for (const NodeId n : nodes) scene.remove(n);
 }
@@ -94,7 +95,8 @@ std::vector<NodeId> topmost(const Scene& scene, const std::vector<NodeId>& nodes
     std::vector<NodeId> out;
     for (const NodeId n : nodes) {
         bool below = false;
-        for (NodeId up = scene.node(n).parent; up; up = scene.node(up).parent) below = below || std::find(nodes.begin(), nodes.end(), up) != nodes.end();
+        for (NodeId up = scene.node(n).parent; up; up = scene.node(up).parent)
+            below = below || std::find(nodes.begin(), nodes.end(), up) != nodes.end();
         if (!below) out.push_back(n);
     }
     return out;

@@ -198,11 +198,12 @@ std::string toMeshName(const Scene& scene, const ToMesh& p)
 
 std::vector<Edit> terrainEdits()
 {
-    return {editEntry<NewTerrain>("new-terrain", "New terrain", "Adds a terrain from a generator.", newTerrain, newName, true),
-            editEntry<Generate>("generate-terrain", "Generate terrain", "Gives a terrain another map.", generate, generateName, true),
-            editEntry<Settings>("set-terrain", "Change terrain", "Changes extent, heights or level of detail of a terrain.", setTerrain, settingsName),
-            editEntry<Stroke>("stroke", "Paint", "One stroke of a brush on a terrain.", stroke, strokeName),
-            editEntry<ToMesh>("terrain-mesh", "Terrain to mesh", "Puts a mesh that follows a terrain beside it.", toMesh, toMeshName, true)};
+    return {
+        editEntry<NewTerrain>("new-terrain", "New terrain", "Adds a terrain from a generator.", newTerrain, newName, true),
+        editEntry<Generate>("generate-terrain", "Generate terrain", "Gives a terrain another map.", generate, generateName, true),
+        editEntry<Settings>("set-terrain", "Change terrain", "Changes extent, heights or level of detail of a terrain.", setTerrain, settingsName),
+        editEntry<Stroke>("stroke", "Paint", "One stroke of a brush on a terrain.", stroke, strokeName),
+        editEntry<ToMesh>("terrain-mesh", "Terrain to mesh", "Puts a mesh that follows a terrain beside it.", toMesh, toMeshName, true)};
 }
 
 }  // namespace mw

@@ -43,9 +43,9 @@ std::string differenceText(const std::vector<Parameter>& parameters, const Param
     for (const Parameter& p : parameters) {
         const ParameterValue was = valueOf(p, before), is = valueOf(p, after);
         if (was == is || ++changed > 1) continue;
-        text = lowered(p.about.title) + " " + (is == p.initial && !std::holds_alternative<bool>(is) && !std::holds_alternative<int64_t>(is)
-                                                   ? "back to its default"
-                                                   : valueWords(p, is));
+        text = lowered(p.about.title) + " " +
+               (is == p.initial && !std::holds_alternative<bool>(is) && !std::holds_alternative<int64_t>(is) ? "back to its default"
+                                                                                                             : valueWords(p, is));
     }
     return changed == 1 ? text : changed == 0 ? "same values" : grouped(int64_t(changed)) + " values";
 }
@@ -81,7 +81,8 @@ std::string freeName(const Scene& scene, const std::string& name)
     if (numbered) stem = name.substr(0, space);
     if (!taken(name)) return name;
     int number = numbered ? std::stoi(name.substr(space + 1)) : 1;
-    while (taken(stem + " " + std::to_string(++number))) {}
+    while (taken(stem + " " + std::to_string(++number))) {
+    }
     return stem + " " + std::to_string(number);
 }
 

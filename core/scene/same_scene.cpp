@@ -46,9 +46,9 @@ bool sameAll(const Scene& a, const Scene& b, const std::vector<Id>& ids)
 bool sameScene(const Scene& a, const Scene& b)
 {
     return a.roots() == b.roots() && a.nodes() == b.nodes() && a.meshes() == b.meshes() && a.materials() == b.materials() &&
-           a.images() == b.images() && a.skins() == b.skins() && a.clips() == b.clips() && a.terrains() == b.terrains() &&
-           sameAll(a, b, a.nodes()) && sameAll(a, b, a.meshes()) && sameAll(a, b, a.materials()) && sameAll(a, b, a.images()) &&
-           sameAll(a, b, a.skins()) && sameAll(a, b, a.clips()) && sameAll(a, b, a.terrains());
+           a.images() == b.images() && a.skins() == b.skins() && a.clips() == b.clips() && a.terrains() == b.terrains() && sameAll(a, b, a.nodes()) &&
+           sameAll(a, b, a.meshes()) && sameAll(a, b, a.materials()) && sameAll(a, b, a.images()) && sameAll(a, b, a.skins()) &&
+           sameAll(a, b, a.clips()) && sameAll(a, b, a.terrains());
 }
 
 }  // namespace mw

@@ -68,7 +68,8 @@ struct TerrainLayers {
         v.number("sandTo", sandTo, share("Sand to", "Height, as a share of the maximum height, up to which there is sand."));
         v.number("grassTo", grassTo, share("Grass to", "Height, as a share of the maximum height, up to which grass grows."));
         v.number("snowFrom", snowFrom, share("Snow from", "Height, as a share of the maximum height, from which snow lies."));
-        v.number("rockSlope", rockSlope, {.title = "Rock from slope", .help = "Ground steeper than this is bare rock.", .unit = "\u00b0", .min = 0, .max = 90});
+        v.number("rockSlope", rockSlope,
+                 {.title = "Rock from slope", .help = "Ground steeper than this is bare rock.", .unit = "\u00b0", .min = 0, .max = 90});
     }
 };
 
@@ -109,7 +110,7 @@ struct TerrainValues {
         t.extent = ground.extent;
         t.maximumHeight = ground.maximumHeight;
         t.waterLevel = ground.waterLevel;
-        t.detail = {int(detail.patches),  detail.nearLevel,   detail.farLevel,
+        t.detail = {int(detail.patches), detail.nearLevel,   detail.farLevel,
                     detail.nearDistance, detail.farDistance, detail.edges == TerrainDetail::Edges::Corrected};
     }
 };

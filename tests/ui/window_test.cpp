@@ -10,13 +10,13 @@
 #include <QTreeView>
 
 #include "core/io/io.h"
+#include "core/scene/samples.h"
 #include "ui/application.h"
 #include "ui/banner.h"
 #include "ui/evaluation_service.h"
 #include "ui/file_commands.h"
 #include "ui/main_window.h"
 #include "ui/parameter_form.h"
-#include "core/scene/samples.h"
 #include "ui/stack_edits.h"
 #include "ui/steps/step_player.h"
 #include "ui/viewport/viewport.h"

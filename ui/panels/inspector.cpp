@@ -291,7 +291,6 @@ void Inspector::showMessage(const QString& text, const QString& button)
     pages_->setCurrentIndex(0);
 }
 
-
 QWidget* makeInspectorPanel(Session& session, QWidget* parent)
 {
     return new Inspector(session, parent);

@@ -15,8 +15,8 @@
 #include <set>
 
 #include "render/bones.h"
-#include "ui/panels/empty_state.h"
 #include "ui/edit_commands.h"
+#include "ui/panels/empty_state.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
 #include "ui/words.h"
@@ -134,8 +134,9 @@ private:
         tree_->setDragDropMode(QAbstractItemView::InternalMove);
         tree_->dropped = [this](const QModelIndex& parent) {
             const Scene& scene = session_.document.scene();
-            edits::run(session_, {"reparent", {{"nodes", nodeText(scene, session_.document.selection().nodes)},
-                                               {"to", parent.isValid() ? nodeText(scene, nodeAt(parent)) : std::string()}}});
+            edits::run(session_, {"reparent",
+                                  {{"nodes", nodeText(scene, session_.document.selection().nodes)},
+                                   {"to", parent.isValid() ? nodeText(scene, nodeAt(parent)) : std::string()}}});
         };
         tree_->enter = [this] { session_.view.frameNodes(session_.document.selection().nodes); };
     }

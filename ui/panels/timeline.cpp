@@ -14,10 +14,10 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/edit_commands.h"
 #include "ui/panels/empty_state.h"
 #include "ui/panels/look.h"
 #include "ui/panels/timeline_tracks.h"
-#include "ui/edit_commands.h"
 #include "ui/playback.h"
 
 namespace mw {
@@ -239,10 +239,7 @@ private:
 
     std::string named(ClipId id) const { return "#" + std::to_string(id.value); }
 
-    void rename(ClipId id, const QString& name)
-    {
-        edits::run(session_, {"rename-clip", {{"clip", named(id)}, {"name", name.toStdString()}}});
-    }
+    void rename(ClipId id, const QString& name) { edits::run(session_, {"rename-clip", {{"clip", named(id)}, {"name", name.toStdString()}}}); }
 
     void duplicate(ClipId id)
     {

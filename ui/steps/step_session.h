@@ -23,7 +23,8 @@ public:
     StepSession(Document& document, Jobs& jobs, QObject* parent = nullptr);
     ~StepSession() override;
 
-    /// Opens an operation on an input: of a node's mesh, of the skeleton below a joint (a pose), or of nobody (a lab, `node` none). Ends what was open.
+    /// Opens an operation on an input: of a node's mesh, of the skeleton below a joint (a pose), or of nobody (a lab, `node` none). Ends what was
+    /// open.
     void open(const Operation& op, NodeId node, const Value& input, ParameterValues values);
     void close();
     bool isOpen() const { return op_ != nullptr; }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/theme.h"
 #include "render/picture_target.h"
+#include "ui/theme.h"
 #include "ui/viewport/brush_tool.h"
 #include "ui/viewport/measure_tool.h"
 #include "ui/viewport/region_tool.h"

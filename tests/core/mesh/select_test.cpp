@@ -303,8 +303,7 @@ TEST(ElementSets, WhatTheMeshLacksIsLeftOut)
         const ElementSet wild{kind, {7, 4000000000u}};
         for (const ElementSet& s : {grown(m, wild), shrunk(m, wild), connected(m, wild), inverted(m, wild), boundaryLoops(m, wild)})
             for (const uint32_t i : s.indices) EXPECT_LT(i, 12u);
-        for (const ElementKind to : kinds)
-            EXPECT_LE(countOf(converted(m, wild, to, true)), 12u);
+        for (const ElementKind to : kinds) EXPECT_LE(countOf(converted(m, wild, to, true)), 12u);
     }
     EXPECT_TRUE(edgeLoop(m, {ElementKind::Edge, {3, 4000000000u}}).indices.empty());
     EXPECT_TRUE(flatRegion(m, faces({4000000000u}), 10).indices.empty());

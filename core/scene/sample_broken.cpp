@@ -64,7 +64,7 @@ void punch(Faces& m)
 void tear(Faces& m)
 {
     std::map<uint32_t, uint32_t> copies;
-    m.each({0.0, 0.48, 0.0}, 0.07, [&](std::array<uint32_t, 3>& face) {
+    m.each({0.15, 0.48, 0.0}, 0.06, [&](std::array<uint32_t, 3>& face) {
         for (uint32_t& v : face) {
             const auto [at, isNew] = copies.emplace(v, uint32_t(m.positions.size()));
             if (isNew) m.positions.push_back(m.positions[v]);
@@ -90,8 +90,8 @@ Scene brokenScene()
         m.faces.push_back({first[f][0], first[f][1], tip});
     }
     m.addTetrahedron(0, dvec3(m.positions[0]) + dvec3(0, m.positions[0].y > 0.3f ? 0.05 : -0.05, 0), 0.02);  // joined by one vertex alone
-    m.addTetrahedron(m.add({0.36, 0.41, 0.05}), {0.36, 0.4, 0.05}, 0.004);                                   // crumbs
-    m.addTetrahedron(m.add({-0.33, 0.2, 0.1}), {-0.33, 0.19, 0.1}, 0.003);
+    m.addTetrahedron(m.add({0.36, 0.404, 0.05}), {0.36, 0.4, 0.05}, 0.003);                                  // crumbs
+    m.addTetrahedron(m.add({-0.33, 0.194, 0.1}), {-0.33, 0.19, 0.1}, 0.002);
     for (int i = 0; i < 12; ++i) m.add({0.3 * std::cos(0.5 * i), 0.02 + 0.05 * i, 0.3 * std::sin(0.5 * i)});  // used by nobody
     const Faces stem = pear(2, 0.05, {0.02, 0.63, 0});                                                        // stuck into the top
     const uint32_t base = uint32_t(m.positions.size());

@@ -116,7 +116,7 @@ private:
             for (size_t i = below(3) + (edit == "join"); i > 0; --i) all += "+" + node(s, edit == "join" ? shape : any);
             return all;
         }
-        if (p.type == ParameterType::Object && p.name == "node" && edit.ends_with("-modifier"))
+        if (p.type == ParameterType::Object && p.name == "node" && (edit.ends_with("-modifier") || edit == "apply-modifiers"))
             if (const std::string n = node(s, [&](const Node& x) { return x.mesh && s.find(x.mesh)->stack.size() > 1; }); n != "#0") return n;
         if (p.type == ParameterType::Object && p.name == "node") return node(s, wanted);
         if (p.name == "to" && p.type == ParameterType::Object) return coin() ? std::string() : node(s, any);
@@ -268,6 +268,13 @@ void prepare(Watched& w, const std::string& id)
     const auto scene = [&]() -> const Scene& { return w.document.scene(); };
     if (id.ends_with("-clip") && scene().clips().empty()) w.edit(parsedEdit("import:file=sample:mannequin"));
     if ((id.find("terrain") != std::string::npos || id == "stroke") && scene().terrains().empty()) w.edit(parsedEdit("new-terrain:with=size=33"));
+    if (id.ends_with("-modifier") || id == "apply-modifiers") {
+        for (const NodeId n : scene().nodes())
+            if (const MeshObject* o = scene().find(scene().node(n).mesh); o && o->stack.size() > 1) return;
+        w.edit(parsedEdit("add:name=stacked"));
+        for (const char* op : {"weld", "smooth"})
+            w.edit(parsedEdit("modify:node=" + nodeText(scene(), w.document.selection().active()) + ",op=" + op));
+    }
     if (scene().nodes().size() < 3) {
         w.edit(parsedEdit("add:name=ball 98"));
         w.edit(parsedEdit("add:name=ball 99"));
@@ -338,7 +345,8 @@ TEST_P(RandomEdits, EveryStateComesBack)
                            "transform"}) {
         EXPECT_GT(done[id], 0) << id << " was refused each time";  // further ones may want more than dice can guess
     }
-    // The command line, from what the document was opened from.
+    // The command line, from what the document was opened from; the dice may have left it as it was opened.
+    w.edit(parsedEdit("add:name=last"));
     const std::vector<EditCall> calls = callsUpTo(w.document, w.document.historyPosition());
     EXPECT_FALSE(calls.empty());
     std::vector<EditCall> again;

@@ -272,7 +272,11 @@ void MainWindow::keepThumbnail(const QString& file)
     QTimer::singleShot(700, this, [this, file] {
         const auto open = QString::fromStdU16String(document_.file().u16string());
         if (QFileInfo(open).absoluteFilePath() != QFileInfo(file).absoluteFilePath() || steps_->isOpen()) return;
-        thumbnails::keep(QFileInfo(file).absoluteFilePath(), viewport_->grabFramebuffer());
+        // Read where it is drawn anyway: a picture more would keep the window waiting.
+        connect(
+            viewport_, &Viewport::painted, this, [this, file] { thumbnails::keep(QFileInfo(file).absoluteFilePath(), viewport_->grabFramebuffer()); },
+            Qt::ConnectionType(Qt::DirectConnection | Qt::SingleShotConnection));
+        viewport_->update();
     });
 }
 

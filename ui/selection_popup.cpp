@@ -35,6 +35,13 @@ public:
     }
 
 protected:
+    // Esc is a shortcut of the window, too; here it takes the selection back.
+    bool event(QEvent* e) override
+    {
+        if (e->type() != QEvent::ShortcutOverride || static_cast<QKeyEvent*>(e)->key() != Qt::Key_Escape) return QFrame::event(e);
+        e->accept();
+        return true;
+    }
     void keyPressEvent(QKeyEvent* e) override
     {
         if (e->key() == Qt::Key_Escape) session_.document.select(before_);

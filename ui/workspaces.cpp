@@ -194,6 +194,12 @@ void Workspaces::build(const QString& name)
     window_->resizeDocks(columns, widths, Qt::Horizontal);
     window_->resizeDocks(rows, heights, Qt::Vertical);
     for (QDockWidget* d : fronts) d->raise();
+    // The others get a place, too, for whoever asks for them: a layout says nothing of docks that stand nowhere.
+    for (QDockWidget* d : docks_) {
+        if (window_->dockWidgetArea(d) != Qt::NoDockWidgetArea) continue;
+        window_->addDockWidget(Qt::RightDockWidgetArea, d);
+        d->hide();
+    }
 }
 
 QStringList Workspaces::all() const

@@ -46,7 +46,7 @@ std::span<const Operation> catalog()
                .source = "core/mesh/solids.cpp"},
               box),
         entry({.id = "grid",
-               .title = "Grid",
+               .title = "Plane",
                .section = "2.3",
                .summary = "A flat sheet of quads.",
                .category = "Primitives",

@@ -99,7 +99,7 @@ private slots:
         openSphere();
         select("ball");
         QVERIFY(!action("Join")->isEnabled());
-        QCOMPARE(action("Join")->toolTip(), QString("Select two or more meshes to join."));
+        QVERIFY(action("Join")->toolTip().startsWith("Select two or more meshes to join."));
         QVERIFY(!action("Separate selection")->isEnabled());
         QCOMPARE(action("Make own copy")->toolTip(), QString("No selected node shares its mesh."));
         edits::addModifier(document(), document().scene().meshes()[0], operation("smooth"));

@@ -164,7 +164,6 @@ void StepPlayer::makeEmpty()
 {
     pages_->addWidget(look::emptyState(this, &emptyText_, &startButton_));
     startButton_->setObjectName("step-start");
-    startButton_->setToolTip("Run it one step at a time, with formula, numbers and source");
     connect(startButton_, &QPushButton::clicked, this, &StepPlayer::start);
 }
 
@@ -236,7 +235,7 @@ void StepPlayer::refreshEmpty()
     const QString whyNot = op ? whyNotSteppable(session_, *op) : tr("Choose an algorithm.");
     startButton_->setText(op ? tr("Step through %1").arg(QString::fromStdString(op->title)) : tr("Step through"));
     startButton_->setEnabled(whyNot.isEmpty());
-    startButton_->setToolTip(whyNot);
+    startButton_->setToolTip(whyNot.isEmpty() ? tr("Run it one step at a time, with formula, numbers and source") : whyNot);
     if (!whyNot.isEmpty()) return emptyText_->setText(tr("%1 Then it runs one step at a time.").arg(whyNot));
     const NodeId node = subjectNode(session_, *op);
     if (node)

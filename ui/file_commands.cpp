@@ -64,6 +64,12 @@ EditCall importCall(const QString& file)
     return call;
 }
 
+/// With a full stop, so that another sentence can follow.
+QString ended(const QString& text)
+{
+    return text.endsWith('.') ? text : text + ".";
+}
+
 /// What makes a shell read a file the same way.
 std::vector<std::string> readOptions(const ImportOptions& kept)
 {
@@ -109,7 +115,7 @@ void FileCommands::open(const QString& file, std::function<void()> then)
                 if (then) then();
             };
         },
-        [this](const QString& text) { emit trouble(text + " The open scene is as it was."); });
+        [this](const QString& text) { emit trouble(ended(text) + " The open scene is as it was."); });
 }
 
 void FileCommands::openAll(const QStringList& files)
@@ -184,7 +190,7 @@ void FileCommands::import(const QStringList& files)
                     sayRead("Added", file, *read, roots);
                 };
             },
-            [this](const QString& text) { emit trouble(text + " The open scene is as it was."); });
+            [this](const QString& text) { emit trouble(ended(text) + " The open scene is as it was."); });
 }
 
 // A file of motion alone goes to the character it is for, when there is one.

@@ -353,9 +353,10 @@ private slots:
             QDirIterator all(data + "/" + part, QDir::Files, QDirIterator::Subdirectories);
             while (all.hasNext()) files << all.next();
         }
-        int opened = 0, refused = 0, asked = 0, barred = 0;
+        int opened = 0, refused = 0, asked = 0, barred = 0, seen = 0;
         for (const QString& file : files) {
-            if (QFileInfo(file).size() > (8 << 20)) continue;  // large ones have tests of their own
+            if (QFileInfo(file).size() > (8 << 20)) continue;                                     // large ones have tests of their own
+            if (++seen % 4 != 1 && !qEnvironmentVariableIsSet("MESHWRIGHT_ALL_DROPS")) continue;  // all of them take four minutes
             for (const QPoint at : {onView(), onBar()}) {
                 if (at == onBar() && ++barred % 8 != 1) continue;  // the toolbar goes the way of the Open dialog
                 w_->files().openScene(sampleScene("blossom"), "Open Blossom");
@@ -373,11 +374,12 @@ private slots:
                     QVERIFY2(said.contains(QFileInfo(file).fileName()), qPrintable(file + " said: " + said));
                     (said.contains("is a picture") ? asked : refused)++;
                 }
-                QVERIFY2(!said.contains("nvalid") && !said.contains("failed"), qPrintable(file + ": " + said));
+                const QString words = QString(said).remove(file);  // a name may say what it likes
+                QVERIFY2(!words.contains("nvalid") && !words.contains("failed"), qPrintable(file + ": " + said));
             }
         }
         qInfo("%d drops opened or added, %d refused with a text, %d pictures asked about", opened, refused, asked);
-        QVERIFY(opened > 100);
+        QVERIFY(opened > 25);
     }
 };
 

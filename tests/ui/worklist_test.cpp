@@ -95,8 +95,8 @@ void WorklistTest::theBunnysHolesAreWalkedAndFilled()
     if (data_.isEmpty()) QSKIP("MESHWRIGHT_DATA is not set");
     open("boundary/stanford-bunny.obj");
     QVERIFY(row("Holes"));
-    QCOMPARE(row("Holes")->text(1), QString("5 loops, 223 edges"));
-    QCOMPARE(row("Isolated vertices")->text(1), QString("1,113 vertices").replace(",", QLocale().groupSeparator()));
+    QCOMPARE(row("Holes")->toolTip(1), QString("5 loops, 223 edges"));
+    QCOMPARE(row("Isolated vertices")->toolTip(1), QString("1,113 vertices").replace(",", QLocale().groupSeparator()));
     list()->setFocus();
     list()->setCurrentItem(row("Holes"));
     const size_t sizes[] = {80, 42, 40, 39, 22};

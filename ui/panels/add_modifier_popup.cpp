@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
+#include <QScreen>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
@@ -134,7 +135,10 @@ private:
 QFrame* showAddModifierPopup(QWidget* anchor, std::function<void(const Operation&)> chosen, std::function<QString(const Operation&)> note)
 {
     auto* popup = new Popup(anchor->window(), std::move(chosen), std::move(note));
-    popup->move(anchor->mapToGlobal(QPoint(0, anchor->height() + 2)));
+    // Below the button, but never over the edge of the screen.
+    QPoint at = anchor->mapToGlobal(QPoint(0, anchor->height() + 2));
+    at.setX(std::max(0, std::min(at.x(), anchor->screen()->availableGeometry().right() + 1 - popup->width())));
+    popup->move(at);
     popup->show();
     return popup;
 }

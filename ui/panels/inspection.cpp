@@ -80,8 +80,12 @@ Finding findingOf(const Defect& d)
         if (i < Inspection::maxOffenders) f.offenders.push_back(offenderOf(group, i, d.offenders[i]));
     }
     f.all = sorted(std::move(f.all));
-    f.figure = counted(f.all.kind, countOf(f.all));
-    if (!group.one.isEmpty()) f.figure = look::counted(f.total, group.one, group.many) + ", " + f.figure;
+    f.inFull = counted(f.all.kind, countOf(f.all));
+    f.figure = look::count(countOf(f.all));  // short, so that the title beside it is not cut
+    if (!group.one.isEmpty()) {
+        f.figure = look::counted(f.total, group.one, group.many);
+        f.inFull = f.figure + ", " + f.inFull;
+    }
     if (const Operation* op = findOperation(d.repair)) {
         f.repair = d.repair;
         f.repairValues = parsed(op->parameters, d.repairParameters);

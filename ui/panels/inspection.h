@@ -20,6 +20,7 @@ struct Offender {
 /// One check. Without offenders it passed, when it was measured.
 struct Finding {
     QString id, title, figure;
+    QString inFull;                   ///< "5 loops, 223 edges"
     QString explanation;              ///< what is wrong with it, one sentence
     QString checked;                  ///< what was looked at, one short sentence
     ElementSet all;                   ///< every offender

@@ -78,13 +78,14 @@ void Inspector::addFinding(QTreeWidgetItem* under, size_t index)
     const Finding& f = shown_->findings[index];
     auto* row = new QTreeWidgetItem(under, {f.title, f.figure});
     row->setData(0, findingRole, int(index) + 1);
-    row->setData(0, Qt::AccessibleTextRole, f.title + ", " + (f.passed() ? tr("passed") : f.figure));
+    row->setData(0, Qt::AccessibleTextRole, f.title + ", " + (f.passed() ? tr("passed") : f.inFull.isEmpty() ? f.figure : f.inFull));
     row->setData(0, Qt::AccessibleDescriptionRole, f.passed() ? f.checked : f.explanation);
     row->setIcon(0, f.passed()   ? look::icon("ok", look::tone().success)
                     : f.measured ? look::icon("warning", look::tone().warning)
                                  : look::icon("help", look::tone().text2));
     row->setForeground(1, f.toFix() ? look::tone().accentText : look::tone().text2);
     row->setToolTip(0, f.toFix() ? f.explanation + "\n" + tr("Click selects them all, Enter frames them.") : f.passed() ? f.checked : f.explanation);
+    row->setToolTip(1, f.inFull);
     row->setFirstColumnSpanned(f.passed() || (f.measured && f.repair.empty()));
     addSentence(row, f.passed() ? f.checked : f.explanation);
     if (f.passed()) return row->setText(1, {});

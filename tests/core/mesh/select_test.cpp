@@ -447,7 +447,8 @@ TEST(Regions, FlatFloodAgreesWithBruteForceOnATerrain)
     }
 }
 
-TEST(Speed, AMillionElementsAreSetInATwentiethOfASecond)
+// In sorts of a million numbers in the same run, so that a busy or instrumented machine does not fail it.
+TEST(Speed, AMillionElementsCostNoMoreThanAFewSorts)
 {
     const Mesh m = grid(1000, true, true).mesh();  // 1 M vertices and faces, 2 M edges
     m.edges();                                     // kept with the mesh, made by whoever drew it
@@ -473,5 +474,9 @@ TEST(Speed, AMillionElementsAreSetInATwentiethOfASecond)
     report("all 2 M edges", millisecondsOf([&] { all = allElements(m, ElementKind::Edge); }));
     report("invert 2 M edges", millisecondsOf([&] { inverted(m, all); }));
     report("connected", millisecondsOf([&] { connected(m, some); }));
-    EXPECT_LT(worst, 250);  // ten times what it takes on an idle machine
+    std::vector<uint32_t> numbers(1'000'000);
+    for (uint32_t& n : numbers) n = random();
+    const double sort = millisecondsOf([&] { std::sort(numbers.begin(), numbers.end()); });
+    report("sort of a million", sort);
+    EXPECT_LT(worst, 5 * sort);  // on an idle machine no step takes longer than a third of one
 }

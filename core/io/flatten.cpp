@@ -33,9 +33,10 @@ glm::dmat4 tidied(glm::dmat4 m)
     return m;
 }
 
-std::vector<MeshPart> shownMeshes(const Scene& scene, Progress* progress, const Placement& placement)
+std::vector<MeshPart> shownMeshes(const Scene& scene, Progress* progress, const Placement& placement, Evaluator* evaluator)
 {
-    Evaluator evaluator;
+    Evaluator own;
+    Evaluator& results = evaluator ? *evaluator : own;
     std::vector<MeshPart> shown;
     std::map<MeshId, Mesh> done;  // several nodes may show one
     const std::vector<NodeId> nodes = scene.nodes();
@@ -45,7 +46,7 @@ std::vector<MeshPart> shownMeshes(const Scene& scene, Progress* progress, const 
         const MeshObject* object = scene.find(node.mesh);
         if (!object || !isShown(scene, nodes[i])) continue;
         auto known = done.find(node.mesh);
-        if (known == done.end()) known = done.emplace(node.mesh, evaluator.evaluate(*object).result()).first;
+        if (known == done.end()) known = done.emplace(node.mesh, results.evaluate(*object, progress).result()).first;
         shown.push_back({node.name, object->materials, tidied(fileFromScene(placement) * scene.worldFromLocal(nodes[i])), known->second});
     }
     return shown;
@@ -84,9 +85,9 @@ Scene withTerrainMeshes(const Scene& scene, size_t trianglesEach, Progress* prog
     return out;
 }
 
-Flattened flattened(const Scene& scene, Progress* progress, const Placement& placement)
+Flattened flattened(const Scene& scene, Progress* progress, const Placement& placement, Evaluator* evaluator)
 {
-    JoinedMeshes joined = joinedMeshes(shownMeshes(scene, progress, placement), true);
+    JoinedMeshes joined = joinedMeshes(shownMeshes(scene, progress, placement, evaluator), true);
     return {std::move(joined.mesh), std::move(joined.materials)};
 }
 

@@ -55,7 +55,7 @@ struct WriteOptions {
     bool binary = true;                 ///< PLY, STL, OFF
     bool bigEndian = false;             ///< PLY, binary
     Placement placement = {};           ///< the numbers in the file are meant so; glTF is always metres, +Y up
-    Evaluator* evaluator = nullptr;     ///< glTF: one that may know results of the stacks already; null: they are computed
+    Evaluator* evaluator = nullptr;     ///< one that may know results of the stacks already; null: they are computed
     size_t terrainTriangles = 200'000;  ///< most triangles of each terrain, which becomes a mesh in all formats but pictures
 };
 /// By ending. Writes the evaluated scene. All or nothing: to a temporary file, then renamed. Gives what the format could not hold.
@@ -69,7 +69,8 @@ struct Flattened {
     Mesh mesh;
     std::vector<MaterialId> materials;
 };
-Flattened flattened(const Scene& scene, Progress* progress = nullptr, const Placement& placement = {});
+/// `evaluator` may know results of the stacks already; null: they are computed.
+Flattened flattened(const Scene& scene, Progress* progress = nullptr, const Placement& placement = {}, Evaluator* evaluator = nullptr);
 /// Nodes that show a terrain and no mesh show a mesh of it; for formats that know no terrains.
 Scene withTerrainMeshes(const Scene& scene, size_t trianglesEach, Progress* progress = nullptr);
 

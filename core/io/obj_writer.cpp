@@ -64,7 +64,12 @@ std::string lineName(std::string_view name, const char* otherwise)
 class Writer {
 public:
     Writer(const Scene& scene, const fs::path& file, const WriteOptions& options, Progress* progress)
-        : scene_(scene), file_(file), options_(options), progress_(progress), flat_(flattened(scene, nullptr, options.placement)), mesh_(flat_.mesh)
+        : scene_(scene),
+          file_(file),
+          options_(options),
+          progress_(progress),
+          flat_(flattened(scene, progress, options.placement, options.evaluator)),
+          mesh_(flat_.mesh)
     {}
     std::vector<Warning> run();
 

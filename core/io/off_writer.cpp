@@ -20,7 +20,7 @@ public:
         : file_(file),
           options_(options),
           progress_(progress),
-          flat_(flattened(scene, nullptr, options.placement)),
+          flat_(flattened(scene, progress, options.placement, options.evaluator)),
           mesh_(flat_.mesh),
           out_(file),
           text_(out_)

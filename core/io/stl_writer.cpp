@@ -22,7 +22,7 @@ public:
         : file_(file),
           options_(options),
           progress_(progress),
-          flat_(flattened(scene, nullptr, options.placement)),
+          flat_(flattened(scene, progress, options.placement, options.evaluator)),
           mesh_(flat_.mesh),
           triangles_(mesh_.triangulation()),
           out_(file),

@@ -1,6 +1,9 @@
 #include "ui/evaluation_service.h"
 
 #include <QSettings>
+#include <algorithm>
+
+#include "core/catalog/others.h"
 
 namespace mw {
 namespace {
@@ -11,6 +14,15 @@ bool sameInput(const MeshObject& a, const MeshObject& b)
 {
     return a.base.positions().id() == b.base.positions().id() && a.base.cornerVertex().id() == b.base.cornerVertex().id() &&
            a.base.faceStart().id() == b.base.faceStart().id() && a.base.attributes().size() == b.base.attributes().size() && a.stack == b.stack;
+}
+
+/// It works with other meshes, so that their changes are its own.
+bool refersToOthers(const MeshObject& object)
+{
+    return std::any_of(object.stack.begin(), object.stack.end(), [](const Modifier& m) {
+        const Operation* op = m.enabled ? findOperation(m.operation) : nullptr;
+        return op && needsOthers(*op);
+    });
 }
 
 }  // namespace
@@ -43,7 +55,7 @@ void EvaluationService::follow(const Change& change)
     for (MeshId id : document_.scene().meshes()) {
         const auto object = document_.scene().shared(id);
         const auto known = requests_.find(id);
-        if (known != requests_.end() && sameInput(*known->second.object, *object)) continue;
+        if (known != requests_.end() && sameInput(*known->second.object, *object) && !refersToOthers(*object)) continue;
         request(id, object);
     }
 }
@@ -57,8 +69,9 @@ void EvaluationService::request(MeshId id, std::shared_ptr<const MeshObject> obj
         object->stack.empty() ? "Prepare " + QString::fromStdString(object->name) : "Evaluate " + QString::fromStdString(object->name);
     r.job = jobs_.start(
         name,
-        [this, id, object, level = r.level, evaluator = evaluator_](Progress& progress) -> std::function<void()> {
-            auto result = std::make_shared<Evaluation>(evaluator->evaluate(*object, &progress, [&](size_t l) { *level = l; }));
+        [this, id, object, scene = document_.snapshot(), level = r.level, evaluator = evaluator_](Progress& progress) -> std::function<void()> {
+            auto result = std::make_shared<Evaluation>(evaluator->evaluate(
+                *object, &progress, [&](size_t l) { *level = l; }, scene.get()));
             warm(result->result());
             return [this, id, object, result] {
                 const auto known = requests_.find(id);

@@ -238,7 +238,8 @@ void FileCommands::exportTo(const QString& file, const WriteOptions& options, bo
             WriteOptions o = options;
             o.evaluator = evaluator.get();
             const auto lost = writeFile(scene, pathOf(file), o, &progress);
-            const ExportedAmount amount = amountOf(scene, [&](MeshId id) { return evaluator->evaluate(*scene.find(id), &progress).result(); });
+            const ExportedAmount amount =
+                amountOf(scene, [&](MeshId id) { return evaluator->evaluate(*scene.find(id), &progress, {}, &scene).result(); });
             return [this, file, lost, amount] {
                 QStringList parts;
                 if (amount.meshes) parts << counted(amount.meshes, "mesh", "meshes") << counted(amount.faces, "face", "faces");

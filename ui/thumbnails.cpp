@@ -74,7 +74,7 @@ void ThumbnailMaker::makeSamples()
             Evaluator evaluator;
             for (const MeshId id : scene.meshes()) {
                 MeshObject shown = *scene.find(id);
-                shown.base = evaluator.evaluate(shown, &progress).result();
+                shown.base = evaluator.evaluate(shown, &progress, {}, &scene).result();
                 shown.stack.clear();
                 warm(shown.base);
                 scene.set(id, std::move(shown));

@@ -315,7 +315,7 @@ int run(Arguments& arguments)
             working.now(object.name);
             MeshInfo m{object.name, {}, object.stack.size(), {}, {}};
             try {
-                m.mesh = evaluated(object, working.progress());
+                m.mesh = evaluated(object, working.progress(), nullptr, &in.scene);
             } catch (const Error& e) {
                 m.mesh = object.base;
                 in.warnings.push_back({"modifier-failed", e.reason() + "; the figures are of the mesh before its modifiers", {}});

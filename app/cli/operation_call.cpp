@@ -1,6 +1,7 @@
 #include "app/cli/operation_call.h"
 
 #include "app/cli/foretell.h"
+#include "app/cli/other_mesh.h"
 #include "app/cli/output.h"
 #include "core/io/io.h"
 #include "core/scene/evaluation.h"
@@ -36,11 +37,11 @@ Input readInput(const std::string& in, const OperationCall& first, Progress* pro
     return {sceneOf(std::get<Mesh>(std::move(made)), first.operation->id), false, true};
 }
 
-Mesh evaluated(const MeshObject& object, Progress* progress, Evaluator* evaluator)
+Mesh evaluated(const MeshObject& object, Progress* progress, Evaluator* evaluator, const Scene* scene)
 {
     if (object.stack.empty()) return object.base;
     foretell(object);
-    const Evaluation e = evaluator ? evaluator->evaluate(object, progress) : Evaluator().evaluate(object, progress);
+    const Evaluation e = evaluator ? evaluator->evaluate(object, progress, {}, scene) : Evaluator().evaluate(object, progress, {}, scene);
     for (size_t i = 0; i < e.levels.size(); ++i)
         if (!e.levels[i].error.empty())
             throw Error("object \"" + object.name + "\", modifier " + std::to_string(i + 1) + " (" + object.stack[i].operation +
@@ -48,18 +49,22 @@ Mesh evaluated(const MeshObject& object, Progress* progress, Evaluator* evaluato
     return e.result();
 }
 
-MeshObject processed(MeshObject object, std::span<const OperationCall> calls, Scene& scene, bool project, Working& working)
+MeshObject processed(MeshObject object, std::span<const OperationCall> calls, Scene& scene, bool project, Working& working, const FindMesh& find)
 {
     if (project) {
-        for (const OperationCall& call : calls) object.stack.push_back({scene.newModifierId(), call.operation->id, call.values, true});
+        for (OperationCall call : calls) {
+            keepOthers(scene, call, working.progress());
+            object.stack.push_back({scene.newModifierId(), call.operation->id, call.values, true});
+        }
         return object;
     }
-    Mesh mesh = evaluated(object, working.progress());
+    Mesh mesh = evaluated(object, working.progress(), nullptr, &scene);
     for (const OperationCall& call : calls) {
         working.now(call.operation->id);
         foretell(*call.operation, mesh, call.values);
         try {
-            mesh = std::get<Mesh>(apply(*call.operation, mesh, call.values, working.progress()));
+            mesh = std::get<Mesh>(
+                apply(*call.operation, mesh, call.values, working.progress(), othersOf(*call.operation, call.values, find, working.progress())));
         } catch (const Error& e) {
             throw Error("object \"" + object.name + "\": " + call.operation->id + ": " + e.reason());
         }

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "app/cli/output.h"
-#include "core/catalog/catalog.h"
+#include "core/catalog/others.h"
 #include "core/io/io.h"
 #include "core/scene/evaluation.h"
 #include "core/scene/scene.h"
@@ -30,11 +30,12 @@ struct Input {
 };
 Input readInput(const std::string& in, const OperationCall& first, Progress* progress, const ImportOptions& options = {});
 
-/// What a mesh object shows: its stack evaluated, by `evaluator` if given. Throws Error naming the modifier that could not run.
-Mesh evaluated(const MeshObject& object, Progress* progress, Evaluator* evaluator = nullptr);
+/// What a mesh object shows: its stack evaluated, by `evaluator` if given; `scene` has the meshes that modifiers work with. Throws Error naming
+/// the modifier that could not run.
+Mesh evaluated(const MeshObject& object, Progress* progress, Evaluator* evaluator = nullptr, const Scene* scene = nullptr);
 
 /// The mesh operations in turn on one object: its mesh after them; with `project` they become modifiers of its stack instead. Throws Error
 /// naming object and operation.
-MeshObject processed(MeshObject object, std::span<const OperationCall> calls, Scene& scene, bool project, Working& working);
+MeshObject processed(MeshObject object, std::span<const OperationCall> calls, Scene& scene, bool project, Working& working, const FindMesh& find);
 
 }  // namespace mw::cli

@@ -134,7 +134,7 @@ std::string writeMeshes(const Job& job, const Scene& scene, const ScenePose& pos
         if (joints.names.empty()) throw Error(job.in, "there is neither a mesh nor a skeleton in it");
         still = sceneOf(bonesOf(joints), std::filesystem::path(job.in).stem().string());
     } else {
-        still = frozen(scene, pose, [&](MeshId id) { return evaluated(*scene.find(id), working.progress()); });
+        still = frozen(scene, pose, [&](MeshId id) { return evaluated(*scene.find(id), working.progress(), nullptr, &scene); });
     }
     working.now("writing " + job.out);
     lost = writeFile(still, job.out, {.placement = job.placement}, working.progress());

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "app/cli/operation_call.h"
+#include "app/cli/other_mesh.h"
 #include "app/cli/output.h"
 #include "app/cli/placement_options.h"
 #include "app/cli/process_edits.h"
@@ -59,14 +59,15 @@ void say(const Job& job, const std::string& name, const Mesh& before, const Mesh
     std::cout << counted(after.vertexCount(), "vertex", "vertices") << ", " << counted(after.faceCount(), "face") << '\n';
 }
 
-void writeResults(const Job& job, const Scene& scene, Working& working)
+void writeResults(const Job& job, const Scene& scene, Working& working, const FindMesh& find)
 {
     const OperationCall& query = job.calls.back();
     std::vector<NamedResult> results;
     for (MeshId id : scene.meshes()) {
         const MeshObject& object = *scene.find(id);
         working.now(query.operation->id);
-        results.push_back({object.name, apply(*query.operation, object.base, query.values, working.progress())});
+        results.push_back({object.name, apply(*query.operation, object.base, query.values, working.progress(),
+                                              othersOf(*query.operation, query.values, find, working.progress()))});
     }
     working.now("writing");
     writeTableFile(job.out, query.operation->id, results);
@@ -86,15 +87,17 @@ int work(const Job& job)
         if (job.query() && !meshCalls.empty()) meshCalls = meshCalls.first(meshCalls.size() - 1);
         const bool project = job.project && !job.query();
         if (input.scene.meshes().empty()) throw Error(job.in, "there is no mesh in it");
-        for (MeshId id : input.scene.meshes()) {
+        const Scene asRead = input.scene;  // other meshes are taken as they were
+        const FindMesh find = meshesOf(asRead, working.progress());
+        for (MeshId id : asRead.meshes()) {
             const MeshObject before = *input.scene.find(id);
-            MeshObject after = processed(before, meshCalls, input.scene, project, working);
+            MeshObject after = processed(before, meshCalls, input.scene, project, working, find);
             names.push_back(before.name);
-            changes.emplace_back(before.base, project ? evaluated(after, working.progress(), &evaluator) : after.base);
+            changes.emplace_back(before.base, project ? evaluated(after, working.progress(), &evaluator, &input.scene) : after.base);
             input.scene.set(id, std::move(after));
         }
         if (job.query()) {
-            writeResults(job, input.scene, working);
+            writeResults(job, input.scene, working, find);
         } else {
             working.now("writing " + job.out);
             lost = writeFile(input.scene, job.out, {.project = project, .binary = !job.ascii, .placement = job.placement, .evaluator = &evaluator},

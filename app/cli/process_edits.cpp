@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "app/cli/foretell.h"
-#include "app/cli/operation_call.h"
+#include "app/cli/other_mesh.h"
 #include "app/cli/output.h"
 #include "core/io/io.h"
 #include "core/scene/edit.h"
@@ -50,7 +50,10 @@ void apply(Scene& scene, const SceneStep& step, const EditJob& job, EditRun& run
         scene = edited(scene, step.edit, run);
         return;
     }
-    for (const MeshId id : scene.meshes()) scene.set(id, processed(*scene.find(id), std::span(&step.operation, 1), scene, job.project, working));
+    const Scene before = scene;  // other meshes are taken as they were
+    const FindMesh find = meshesOf(before, working.progress());
+    for (const MeshId id : before.meshes())
+        scene.set(id, processed(*before.find(id), std::span(&step.operation, 1), scene, job.project, working, find));
 }
 
 std::string summary(const Scene& scene)

@@ -135,7 +135,7 @@ int run(Arguments& arguments)
     if (w.motion) addMotion(in.scene, w.file, *w.motion, working.progress());
     warn(w.file, in.warnings);
     std::map<MeshId, Mesh> shownMeshes;
-    for (const MeshId id : in.scene.meshes()) shownMeshes[id] = evaluated(*in.scene.find(id), working.progress());
+    for (const MeshId id : in.scene.meshes()) shownMeshes[id] = evaluated(*in.scene.find(id), working.progress(), nullptr, &in.scene);
     ScenePose pose;
     if (w.when) pose = poseAt(in.scene, clipOf(w.file, in.scene, w.when), w.when.time.value_or(0));
     Frame frame = frameOf(

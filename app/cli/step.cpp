@@ -2,7 +2,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/operation_call.h"
+#include "app/cli/other_mesh.h"
 #include "app/cli/output.h"
 #include "app/cli/placement_options.h"
 #include "app/cli/subject.h"
@@ -126,7 +126,10 @@ int run(Arguments& arguments)
     if (in != "-" && call.operation->accepts == Kind::Nothing)
         throw Error(in, call.operation->id + " makes something from nothing and takes no file; give - as input");
     const Value value = read(in, call, object, options);
-    const std::unique_ptr<Run> steps = stepping(*call.operation, value, valuesFor(call, in))(true);
+    const ParameterValues values = valuesFor(call, in);
+    const Scene nothing;
+    const Others others = othersOf(*call.operation, values, meshesOf(nothing, nullptr));
+    const std::unique_ptr<Run> steps = stepping(*call.operation, value, values, others)(true);
     size_t n = 0;
     while (!until || n < size_t(*until)) {
         if (!steps->advance()) {

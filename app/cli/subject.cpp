@@ -20,7 +20,7 @@ Mesh meshIn(const std::string& in, const Scene& scene, const std::optional<std::
     std::string names;
     for (MeshId id : meshes) {
         const MeshObject& o = *scene.find(id);
-        if (object ? o.name == *object : meshes.size() == 1) return evaluated(o, progress);
+        if (object ? o.name == *object : meshes.size() == 1) return evaluated(o, progress, nullptr, &scene);
         names += (names.empty() ? "" : ", ") + o.name;
     }
     throw Error(in,

@@ -114,19 +114,21 @@ const Operation& operation(std::string_view id)
     throw Error("there is no operation \"" + wanted + "\"; " + (near.empty() ? "the verb algorithms lists them" : "near it: " + near));
 }
 
-Value apply(const Operation& op, const Value& input, const ParameterValues& values, Progress* progress)
+Value apply(const Operation& op, const Value& input, const ParameterValues& values, Progress* progress, const Others& others)
 {
     checkInput(op, input);
-    const std::unique_ptr<Run> run = op.start(input, checked(op.parameters, values), false);
+    const std::unique_ptr<Run> run = op.start(input, checked(op.parameters, values), others, false);
     while (run->advance())
         if (progress) progress->at(run->step().progress() >= 0 ? run->step().progress() : progress->fraction.load());
     return valueOf(run->snapshot());
 }
 
-StartRun stepping(const Operation& op, Value input, const ParameterValues& values)
+StartRun stepping(const Operation& op, Value input, const ParameterValues& values, Others others)
 {
     checkInput(op, input);
-    return [&op, input = std::move(input), values = checked(op.parameters, values)](bool watched) { return op.start(input, values, watched); };
+    return [&op, input = std::move(input), values = checked(op.parameters, values), others = std::move(others)](bool watched) {
+        return op.start(input, values, others, watched);
+    };
 }
 
 }  // namespace mw

@@ -1,6 +1,7 @@
 // The one list of operations. Modifier stack, menus, step player, lessons and command line read it; nothing else knows an algorithm.
 #pragma once
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <variant>
@@ -41,6 +42,9 @@ struct AttributePolicy {
     Carried vertex = Carried::NotApplicable, corner = Carried::NotApplicable, face = Carried::NotApplicable;
 };
 
+/// The meshes that parameters of type object stand for, by parameter name (core/catalog/others.h looks them up).
+using Others = std::map<std::string, Mesh, std::less<>>;
+
 struct Operation {
     std::string id, title;     ///< "decimate-quadric", "Simplify by quadrics"
     std::string section = {};  ///< of the book: "3.1.3"; empty when it is not in the book
@@ -52,7 +56,7 @@ struct Operation {
     std::string source;  ///< its file: "core/simplify/decimate_quadric.cpp"
     std::vector<Parameter> parameters = {};
     /// Starts it. `input` is of kind `accepts`, `values` have been checked().
-    std::function<std::unique_ptr<Run>(const Value& input, const ParameterValues& values, bool watched)> start = {};
+    std::function<std::unique_ptr<Run>(const Value& input, const ParameterValues& values, const Others& others, bool watched)> start = {};
 };
 
 /// All operations, in menu order.
@@ -63,8 +67,8 @@ const Operation* findOperation(std::string_view id);
 const Operation& operation(std::string_view id);
 
 /// Checks kind and parameters, runs to the end, nobody watching. Throws Error, Cancelled. `input` is never changed.
-Value apply(const Operation& op, const Value& input, const ParameterValues& values, Progress* progress = nullptr);
+Value apply(const Operation& op, const Value& input, const ParameterValues& values, Progress* progress = nullptr, const Others& others = {});
 /// For Stepper: checks, then starts as often as asked.
-StartRun stepping(const Operation& op, Value input, const ParameterValues& values);
+StartRun stepping(const Operation& op, Value input, const ParameterValues& values, Others others = {});
 
 }  // namespace mw

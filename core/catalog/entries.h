@@ -33,10 +33,10 @@ std::vector<Parameter> described()
 }
 
 template <class P>
-P filled(const ParameterValues& values)
+P filled(const ParameterValues& values, const Others& others = {})
 {
     P p;
-    Filler f(values);
+    Filler f(values, &others);
     p.describe(f);
     return p;
 }
@@ -48,12 +48,12 @@ Operation entry(Operation about, Generator (*algorithm)(In, P, Stage<Out>&))
     about.accepts = kindOfType<In>;
     about.yields = kindOfType<Out>;
     about.parameters = described<P>();
-    about.start = [algorithm](const Value& value, const ParameterValues& values, bool watched) -> std::unique_ptr<Run> {
+    about.start = [algorithm](const Value& value, const ParameterValues& values, const Others& others, bool watched) -> std::unique_ptr<Run> {
         const In& input = std::get<In>(value);
         Out initial;
         if constexpr (std::is_same_v<In, Out>) initial = input;
         return std::make_unique<RunOf<Out>>(
-            watched, [&](Stage<Out>& stage) { return algorithm(input, filled<P>(values), stage); }, std::move(initial));
+            watched, [&](Stage<Out>& stage) { return algorithm(input, filled<P>(values, others), stage); }, std::move(initial));
     };
     return about;
 }
@@ -65,8 +65,8 @@ Operation entry(Operation about, Generator (*algorithm)(P, Stage<Out>&))
     about.accepts = Kind::Nothing;
     about.yields = kindOfType<Out>;
     about.parameters = described<P>();
-    about.start = [algorithm](const Value&, const ParameterValues& values, bool watched) -> std::unique_ptr<Run> {
-        return std::make_unique<RunOf<Out>>(watched, [&](Stage<Out>& stage) { return algorithm(filled<P>(values), stage); });
+    about.start = [algorithm](const Value&, const ParameterValues& values, const Others& others, bool watched) -> std::unique_ptr<Run> {
+        return std::make_unique<RunOf<Out>>(watched, [&](Stage<Out>& stage) { return algorithm(filled<P>(values, others), stage); });
     };
     return about;
 }

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/mesh/other_mesh.h"
 
 namespace mw {
 
@@ -76,6 +77,8 @@ public:
     void text(const char* name, std::string& v, About a) { add(name, ParameterType::Text, v, std::move(a)); }
     void point(const char* name, glm::dvec3& v, About a) { add(name, ParameterType::Point, v, std::move(a)); }
     void object(const char* name, std::string& v, About a) { add(name, ParameterType::Object, v, std::move(a)); }
+    /// A further mesh to work with.
+    void object(const char* name, OtherMesh& v, About a) { add(name, ParameterType::Object, v.name, std::move(a)); }
     void file(const char* name, std::string& v, About a) { add(name, ParameterType::File, v, std::move(a)); }
     /// `E` is an enum whose values are 0, 1, ... in the order of `names`.
     template <class E>
@@ -92,13 +95,22 @@ private:
 /// Fills a struct from checked values.
 class Filler {
 public:
-    explicit Filler(const ParameterValues& values) : values_(values) {}
+    /// `others`: the meshes of object parameters, when there are any.
+    explicit Filler(const ParameterValues& values, const std::map<std::string, Mesh, std::less<>>* others = nullptr)
+        : values_(values), others_(others)
+    {}
     void flag(const char* name, bool& v, const About&) { take(name, v); }
     void integer(const char* name, int64_t& v, const About&) { take(name, v); }
     void number(const char* name, double& v, const About&) { take(name, v); }
     void text(const char* name, std::string& v, const About&) { take(name, v); }
     void point(const char* name, glm::dvec3& v, const About&) { take(name, v); }
     void object(const char* name, std::string& v, const About&) { take(name, v); }
+    void object(const char* name, OtherMesh& v, const About&)
+    {
+        take(name, v.name);
+        if (!others_) return;
+        if (auto i = others_->find(name); i != others_->end()) v.mesh = i->second;
+    }
     void file(const char* name, std::string& v, const About&) { take(name, v); }
     template <class E>
     void choice(const char* name, E& v, const std::vector<std::string>& names, const About&)
@@ -116,6 +128,7 @@ private:
         if (auto i = values_.find(name); i != values_.end()) v = std::get<T>(i->second);
     }
     const ParameterValues& values_;
+    const std::map<std::string, Mesh, std::less<>>* others_;
 };
 
 }  // namespace mw

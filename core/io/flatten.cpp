@@ -46,7 +46,7 @@ std::vector<MeshPart> shownMeshes(const Scene& scene, Progress* progress, const 
         const MeshObject* object = scene.find(node.mesh);
         if (!object || !isShown(scene, nodes[i])) continue;
         auto known = done.find(node.mesh);
-        if (known == done.end()) known = done.emplace(node.mesh, results.evaluate(*object, progress).result()).first;
+        if (known == done.end()) known = done.emplace(node.mesh, results.evaluate(*object, progress, {}, &scene).result()).first;
         shown.push_back({node.name, object->materials, tidied(fileFromScene(placement) * scene.worldFromLocal(nodes[i])), known->second});
     }
     return shown;

@@ -237,7 +237,7 @@ void SceneWriter::putExtras(json& out, const std::string& extras)
 
 Mesh SceneWriter::evaluated(const MeshObject& object)
 {
-    const Evaluation e = (options_.evaluator ? *options_.evaluator : evaluator_).evaluate(object, progress_);
+    const Evaluation e = (options_.evaluator ? *options_.evaluator : evaluator_).evaluate(object, progress_, {}, &scene_);
     for (size_t i = 0; i < e.levels.size(); ++i)
         if (!e.levels[i].error.empty())
             warn("modifier-failed", "mesh \"" + object.name + "\", modifier " + object.stack[i].operation + ": " + e.levels[i].error +

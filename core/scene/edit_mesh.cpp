@@ -23,11 +23,11 @@ struct Join {
 };
 
 // As it is seen: after its modifiers.
-Mesh seen(const MeshObject& object, EditRun& run)
+Mesh seen(const Scene& scene, const MeshObject& object, EditRun& run)
 {
     if (object.stack.empty()) return object.base;
     Evaluator own;
-    const Evaluation e = (run.evaluator ? run.evaluator : &own)->evaluate(object, run.progress);
+    const Evaluation e = (run.evaluator ? run.evaluator : &own)->evaluate(object, run.progress, {}, &scene);
     for (size_t i = 0; i < e.levels.size(); ++i)
         if (!e.levels[i].error.empty()) throw Error("\"" + object.name + "\", modifier " + std::to_string(i + 1) + ": " + e.levels[i].error);
     return e.result();
@@ -60,7 +60,7 @@ void join(Scene& scene, const Join& p, EditRun& run)
         const MeshObject object = meshOf(scene, id);
         requireStill(scene, id, "joining");
         parts.push_back({scene.node(id).name, object.materials, id == active ? glm::dmat4(1) : glm::inverse(world) * scene.worldFromLocal(id),
-                         seen(object, run)});
+                         seen(scene, object, run)});
     }
     JoinedMeshes joined = joinedMeshes(std::move(parts), false);
     MeshObject object = meshOf(scene, active);

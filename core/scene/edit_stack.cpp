@@ -1,4 +1,5 @@
 // Edits of modifier stacks. Modifiers are counted from 1, the base mesh is 0.
+#include "core/catalog/others.h"
 #include "core/scene/edit_entries.h"
 #include "core/steps/stepper.h"
 
@@ -214,7 +215,7 @@ void applyModifiers(Scene& scene, const Apply& p, EditRun& run)
         MeshObject lower = o;
         lower.stack.resize(levels);
         Evaluator own;
-        const Evaluation e = (run.evaluator ? run.evaluator : &own)->evaluate(lower, run.progress);
+        const Evaluation e = (run.evaluator ? run.evaluator : &own)->evaluate(lower, run.progress, {}, &scene);
         for (size_t i = 0; i < levels; ++i)
             if (!e.levels[i].error.empty()) throw Error(titleOf(lower.stack[i].operation) + ": " + e.levels[i].error);
         o.base = e.result();
@@ -253,8 +254,12 @@ void keepStep(Scene& scene, const KeepStep& p, EditRun& run)
         MeshObject lower = o;
         lower.stack.resize(size_t(p.level));
         Evaluator own;
-        const Evaluation e = (run.evaluator ? run.evaluator : &own)->evaluate(lower, run.progress);
-        Stepper stepper(stepping(op, e.result(), parsed(op.parameters, p.with)));
+        const Evaluation e = (run.evaluator ? run.evaluator : &own)->evaluate(lower, run.progress, {}, &scene);
+        Evaluator* const evaluator = run.evaluator ? run.evaluator : &own;
+        const ParameterValues values = parsed(op.parameters, p.with);
+        const Others others = othersOf(
+            op, values, [&](const std::string& name) { return evaluator->meshOf(scene, name, run.progress); }, run.progress);
+        Stepper stepper(stepping(op, e.result(), values, others));
         stepper.seek(size_t(p.step), run.progress);
         o.base = std::get<Mesh>(valueOf(stepper.value()));
         o.stack.clear();

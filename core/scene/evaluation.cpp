@@ -1,7 +1,10 @@
 #include "core/scene/evaluation.h"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+
+#include "core/catalog/others.h"
 
 namespace mw {
 
@@ -18,13 +21,19 @@ bool sameMesh(const Mesh& a, const Mesh& b)
     return true;
 }
 
+bool sameOthers(const Others& a, const Others& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const auto& x, const auto& y) { return x.first == y.first && sameMesh(x.second, y.second); });
+}
+
 }  // namespace
 
-std::optional<Level> Evaluator::find(const Mesh& input, const std::string& key)
+std::optional<Level> Evaluator::find(const Mesh& input, const std::string& key, const Others& others)
 {
     const std::lock_guard lock(mutex_);
     for (auto e = entries_.begin(); e != entries_.end(); ++e) {
-        if (e->key != key || !sameMesh(e->input, input)) continue;
+        if (e->key != key || !sameMesh(e->input, input) || !sameOthers(e->others, others)) continue;
         entries_.splice(entries_.begin(), entries_, e);
         return Level{e->output, {}, false, true, e->seconds};
     }
@@ -42,25 +51,74 @@ void Evaluator::keep(Entry entry)
     }
 }
 
-Level Evaluator::run(const Mesh& input, const Modifier& modifier, size_t level, size_t levels, Progress* progress)
+std::optional<Mesh> Evaluator::meshOf(const Scene& scene, const std::string& node, Progress* progress)
+{
+    return meshAt(node, progress, {&scene});
+}
+
+std::optional<Mesh> Evaluator::meshAt(const std::string& name, Progress* progress, const Place& place)
+{
+    if (!place.scene) return std::nullopt;
+    for (const NodeId id : place.scene->nodes()) {
+        const Node& node = place.scene->node(id);
+        const MeshObject* object = node.name == name ? place.scene->find(node.mesh) : nullptr;
+        if (!object) continue;
+        if (std::count(place.way.begin(), place.way.end(), name))
+            throw Error("\"" + name + "\" works with itself by its modifiers; choose another mesh");
+        Place next = place;
+        next.way.push_back(name);
+        Evaluation e = evaluateAt(*object, nullptr, {}, next);
+        if (progress) progress->at(progress->fraction);
+        for (const Level& l : e.levels)
+            if (!l.error.empty()) throw Error("\"" + name + "\": " + l.error);
+        return e.result();
+    }
+    return std::nullopt;
+}
+
+Others Evaluator::others(const Operation& op, const ParameterValues& values, Progress* progress, const Place& place)
+{
+    const auto find = [&](const std::string& name) -> std::optional<Mesh> {
+        if (std::optional<Mesh> mesh = meshAt(name, progress, place)) return mesh;
+        {
+            const std::lock_guard lock(mutex_);
+            if (const auto known = sources_.find(name); known != sources_.end()) return known->second;
+        }
+        std::optional<Mesh> made = meshOfSource(name, progress);
+        if (made) {
+            const std::lock_guard lock(mutex_);
+            sources_.emplace(name, *made);
+        }
+        return made;
+    };
+    return othersOf(op, values, find, progress);
+}
+
+Level Evaluator::run(const Mesh& input, const Modifier& modifier, size_t level, size_t levels, Progress* progress, const Place& place)
 {
     const Operation& op = operation(modifier.operation);
     if (op.accepts != Kind::Mesh || op.yields != Kind::Mesh) throw Error(op.id + " is no modifier: it does not make a mesh from a mesh");
     const ParameterValues values = checked(op.parameters, modifier.values);
     const std::string key = op.id + toJson(values).dump();
-    if (auto known = find(input, key)) return *known;
+    const Others with = needsOthers(op) ? others(op, values, progress, place) : Others();
+    if (auto known = find(input, key, with)) return *known;
     const auto begin = std::chrono::steady_clock::now();
-    const std::unique_ptr<Run> run = op.start(input, values, false);
+    const std::unique_ptr<Run> run = op.start(input, values, with, false);
     while (run->advance())
         if (progress) progress->at((float(level) + std::max(0.f, run->step().progress())) / float(levels));
     Level result;
     result.mesh = std::get<Mesh>(valueOf(run->snapshot()));
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    keep({input, result.mesh, key, result.seconds});
+    keep({input, result.mesh, key, result.seconds, with});
     return result;
 }
 
-Evaluation Evaluator::evaluate(const MeshObject& object, Progress* progress, const std::function<void(size_t)>& levelStarts)
+Evaluation Evaluator::evaluate(const MeshObject& object, Progress* progress, const std::function<void(size_t)>& levelStarts, const Scene* scene)
+{
+    return evaluateAt(object, progress, levelStarts, {scene});
+}
+
+Evaluation Evaluator::evaluateAt(const MeshObject& object, Progress* progress, const std::function<void(size_t)>& levelStarts, const Place& place)
 {
     Evaluation out;
     out.base = object.base;
@@ -75,7 +133,7 @@ Evaluation Evaluator::evaluate(const MeshObject& object, Progress* progress, con
                 level.waits = true;
             else
                 try {
-                    level = run(input, object.stack[i], i, object.stack.size(), progress);
+                    level = run(input, object.stack[i], i, object.stack.size(), progress, place);
                 } catch (const std::bad_alloc&) {
                     level.error = "there is not enough memory for it; make the mesh smaller before it";
                 } catch (const std::exception& e) {

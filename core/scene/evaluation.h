@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <list>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -33,21 +34,36 @@ struct Evaluation {
 class Evaluator {
 public:
     explicit Evaluator(size_t keepBytes = size_t(1) << 30) : keepBytes_(keepBytes) {}
-    /// Throws Cancelled. Progress runs over the whole stack; `levelStarts`, when given, is told the level that begins.
-    Evaluation evaluate(const MeshObject& object, Progress* progress = nullptr, const std::function<void(size_t)>& levelStarts = {});
+    /// Throws Cancelled. Progress runs over the whole stack; `levelStarts`, when given, is told the level that begins. `scene` is where modifiers
+    /// that work with other meshes find them, by the names of their nodes.
+    Evaluation evaluate(const MeshObject& object, Progress* progress = nullptr, const std::function<void(size_t)>& levelStarts = {},
+                        const Scene* scene = nullptr);
+    /// What the node of that name shows; nothing when there is none, or when it shows no mesh. Throws Error when its modifiers fail or lead back to
+    /// themselves.
+    std::optional<Mesh> meshOf(const Scene& scene, const std::string& node, Progress* progress = nullptr);
 
 private:
     struct Entry {
         Mesh input, output;  // input is held so that its identity stays unique
         std::string key;
         double seconds;
+        Others others;
     };
-    std::optional<Level> find(const Mesh& input, const std::string& key);
+    /// The way to a mesh that another one works with: names of nodes, so that a circle is seen.
+    struct Place {
+        const Scene* scene = nullptr;
+        std::vector<std::string> way = {};
+    };
+    Evaluation evaluateAt(const MeshObject& object, Progress* progress, const std::function<void(size_t)>& levelStarts, const Place& place);
+    std::optional<Mesh> meshAt(const std::string& node, Progress* progress, const Place& place);
+    Others others(const Operation& op, const ParameterValues& values, Progress* progress, const Place& place);
+    std::optional<Level> find(const Mesh& input, const std::string& key, const Others& others);
     void keep(Entry entry);
-    Level run(const Mesh& input, const Modifier& modifier, size_t level, size_t levels, Progress* progress);
+    Level run(const Mesh& input, const Modifier& modifier, size_t level, size_t levels, Progress* progress, const Place& place);
 
     std::mutex mutex_;
-    std::list<Entry> entries_;  // most recent first
+    std::list<Entry> entries_;                          // most recent first
+    std::map<std::string, Mesh, std::less<>> sources_;  // meshes of sources that modifiers work with, by their text
     size_t bytes_ = 0, keepBytes_;
 };
 

@@ -52,7 +52,7 @@ Operation waveOperation(bool slow)
     op.accepts = op.yields = Kind::Mesh;
     op.steps = true;
     op.source = "tests/ui/steps_test.cpp";
-    op.start = [slow](const Value& input, const ParameterValues&, bool watched) -> std::unique_ptr<Run> {
+    op.start = [slow](const Value& input, const ParameterValues&, const Others&, bool watched) -> std::unique_ptr<Run> {
         const Mesh& mesh = std::get<Mesh>(input);
         return std::make_unique<RunOf<Mesh>>(
             watched, [&](Stage<Mesh>& stage) { return wave(mesh, stage, slow); }, mesh);
@@ -140,7 +140,7 @@ void StepsTest::forthAndBackGiveTheSameState()
     QTRY_VERIFY(d.steps.atEnd());
     QCOMPARE(d.steps.length(), size_t(2 * rounds + 3));
     QCOMPARE(d.hash(), contentHash(mw::valueOf([&] {
-                 auto run = d.quick.start(Value{tetrahedron()}, {}, false);
+                 auto run = d.quick.start(Value{tetrahedron()}, {}, {}, false);
                  while (run->advance()) {
                  }
                  return run->snapshot();
@@ -278,7 +278,9 @@ void StepsTest::aFailureIsTold()
 {
     Desk d;
     Operation broken = d.quick;
-    broken.start = [](const Value&, const ParameterValues&, bool) -> std::unique_ptr<Run> { throw Error("the mesh has no faces. Load another."); };
+    broken.start = [](const Value&, const ParameterValues&, const Others&, bool) -> std::unique_ptr<Run> {
+        throw Error("the mesh has no faces. Load another.");
+    };
     d.open(broken);
     d.steps.forward();
     QTRY_VERIFY(!d.steps.error().isEmpty());

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/catalog/others.h"
 #include "core/scene/edit.h"
 #include "core/scene/scene_pose.h"
 #include "ui/steps/step_history.h"
@@ -32,6 +33,15 @@ struct Command {
     bool batch = false;
     QString title;
 };
+
+/// What the first node of that name shows; nothing when it shows no mesh.
+std::optional<Mesh> shownBy(const Document& document, const std::string& name)
+{
+    const Scene& scene = document.scene();
+    for (const NodeId id : scene.nodes())
+        if (const Node& n = scene.node(id); n.name == name && n.mesh) return document.shownMesh(n.mesh);
+    return std::nullopt;
+}
 
 /// The running algorithm. Used by the worker only.
 struct Engine {
@@ -342,7 +352,8 @@ void StepSession::open(const Operation& op, NodeId node, const Value& input, Par
     const Node* n = document_.scene().find(node);
     impl_->openedOn = n && n->mesh && op.accepts == Kind::Mesh ? document_.scene().shared(n->mesh) : nullptr;
     try {
-        impl_->engine->start = stepping(op, input, values_);
+        impl_->engine->start =
+            stepping(op, input, values_, othersOf(op, values_, [this](const std::string& name) { return shownBy(document_, name); }));
     } catch (const Error& e) {
         impl_->error = QString::fromUtf8(e.what());
     }

@@ -104,6 +104,15 @@ Value inputFor(const Operation& op)
     }
 }
 
+/// Any mesh will do: operations that cannot work with it say so.
+Others othersFor(const Operation& op)
+{
+    Others others;
+    for (const Parameter& p : op.parameters)
+        if (p.type == ParameterType::Object) others.emplace(p.name, testMesh(true));
+    return others;
+}
+
 class Contract : public testing::TestWithParam<const Operation*> {};
 
 TEST_P(Contract, IsDescribed)
@@ -142,18 +151,18 @@ TEST_P(Contract, SteppedEqualsRunInOneGo)
     const Operation& op = *GetParam();
     const Value input = inputFor(op);
     const uint64_t before = contentHash(input);
-    const uint64_t atOnce = contentHash(apply(op, input, {}));
-    Stepper s(stepping(op, input, {}));
+    const uint64_t atOnce = contentHash(apply(op, input, {}, nullptr, othersFor(op)));
+    Stepper s(stepping(op, input, {}, othersFor(op)));
     while (s.forward()) EXPECT_FALSE(s.step().phase.empty());
     EXPECT_EQ(contentHash(valueOf(s.value())), atOnce);
-    EXPECT_EQ(contentHash(apply(op, input, {})), atOnce) << "twice the same";
+    EXPECT_EQ(contentHash(apply(op, input, {}, nullptr, othersFor(op))), atOnce) << "twice the same";
     EXPECT_EQ(contentHash(input), before) << "the input is never changed";
 }
 
 TEST_P(Contract, BackAndForthGivesTheSameState)
 {
     const Operation& op = *GetParam();
-    Stepper s(stepping(op, inputFor(op), {}), size_t(1) << 20);
+    Stepper s(stepping(op, inputFor(op), {}, othersFor(op)), size_t(1) << 20);
     std::vector<uint64_t> hashes{contentHash(valueOf(s.value()))};
     while (hashes.size() < 60 && s.forward()) hashes.push_back(contentHash(valueOf(s.value())));
     for (size_t i = hashes.size(); i-- > 0;) {
@@ -172,10 +181,10 @@ TEST_P(Contract, CancellingAndLettingGoLeavesNothingBehind)
     Progress cancelled;
     cancelled.cancelled = true;
     try {
-        apply(op, input, {}, &cancelled);  // one without any pause may end
+        apply(op, input, {}, &cancelled, othersFor(op));  // one without any pause may end
     } catch (const Cancelled&) {
     }
-    const std::unique_ptr<mw::Run> run = stepping(op, input, {})(true);
+    const std::unique_ptr<mw::Run> run = stepping(op, input, {}, othersFor(op))(true);
     for (int i = 0; i < 7 && run->advance(); ++i) run->snapshot();
     EXPECT_EQ(contentHash(input), before);
 }
@@ -196,7 +205,7 @@ TEST_P(Contract, OddMeshesGiveAResultOrAnError)
     };
     for (const Mesh& m : odd) {
         try {
-            const Value v = apply(op, m, {});
+            const Value v = apply(op, m, {}, nullptr, othersFor(op));
             EXPECT_EQ(kindOf(v), op.yields);
         } catch (const Error& e) {
             EXPECT_GT(std::string(e.what()).size(), 10u) << "an error says what, where and what to do";
@@ -211,7 +220,7 @@ TEST_P(Contract, EmptyValuesGiveAResultOrAnError)
     const auto input = empty.find(op.accepts);
     if (input == empty.end()) return;  // not about it
     try {
-        EXPECT_EQ(kindOf(apply(op, input->second, {})), op.yields);
+        EXPECT_EQ(kindOf(apply(op, input->second, {}, nullptr, othersFor(op))), op.yields);
     } catch (const Error& e) {
         EXPECT_GT(std::string(e.what()).size(), 10u);
     }
@@ -221,7 +230,7 @@ TEST_P(Contract, StepsSpeakOfElementsThatAreThere)
 {
     const Operation& op = *GetParam();
     if (!op.steps) return;  // not about it
-    Stepper s(stepping(op, inputFor(op), {}));
+    Stepper s(stepping(op, inputFor(op), {}, othersFor(op)));
     for (int i = 0; i < 500 && s.forward(); ++i) {
         const Value now = valueOf(s.value());
         const size_t joints = kindOf(now) == Kind::Pose ? std::get<Pose>(now).size() : 0;
@@ -248,7 +257,7 @@ TEST_P(Contract, EachPhaseHasItsWordsAndNumbers)
     if (!op.steps) return;  // not about it
     const Lesson* lesson = findLesson(op.id);
     ASSERT_NE(lesson, nullptr);
-    Stepper s(stepping(op, inputFor(op), {}));
+    Stepper s(stepping(op, inputFor(op), {}, othersFor(op)));
     for (int i = 0; i < 3000 && s.forward(); ++i) {
         if (s.atEnd()) break;
         const LessonPhase* phase = lesson->phase(s.step().phase);
@@ -261,7 +270,7 @@ TEST_P(Contract, AttributesAreCarriedAsStated)
 {
     const Operation& op = *GetParam();
     if (op.accepts != Kind::Mesh || op.yields != Kind::Mesh) return;  // not about it
-    const Mesh out = std::get<Mesh>(apply(op, testMesh(true), {}));
+    const Mesh out = std::get<Mesh>(apply(op, testMesh(true), {}, nullptr, othersFor(op)));
     const auto expectKept = [&](Carried c, const char* name, Domain d) {
         if (c == Carried::NotApplicable) return;
         const Attribute* a = out.find(name, d);

@@ -127,7 +127,7 @@ TEST(DiamondSquare, TheSeedDecides)
 TEST(DiamondSquare, DisplacementsAreNormalAndHalveByRound)
 {
     const Operation& op = operation("diamond-square");
-    const auto run = op.start({}, checked(op.parameters, {{"size", int64_t(257)}, {"sigma", 0.5}}), true);
+    const auto run = op.start({}, checked(op.parameters, {{"size", int64_t(257)}, {"sigma", 0.5}}), {}, true);
     std::vector<double> unit;
     std::vector<std::pair<int, double>> squares(9);  // count and sum of squares, by round
     while (run->advance()) {

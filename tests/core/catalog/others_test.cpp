@@ -26,7 +26,7 @@ Generator exchange(Mesh, Both p, Stage<Mesh>& stage)
 
 Operation exchanging()
 {
-    return entry<Mesh, Both, Mesh>({.id = "exchange", .title = "Exchange", .summary = "", .category = ""}, exchange);
+    return entry<Mesh, Both, Mesh>({.id = "exchange", .title = "Exchange", .summary = "", .category = "", .source = ""}, exchange);
 }
 
 Mesh triangle()

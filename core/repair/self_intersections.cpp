@@ -2,12 +2,9 @@
 #include "core/repair/self_intersections.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
+#include "core/mesh/box_tree.h"
 #include "core/repair/coincident.h"
 #include "core/repair/triangle_overlap.h"
 
@@ -15,28 +12,15 @@ namespace mw {
 
 namespace {
 
-struct Box {
-    glm::vec3 min, max;
-    bool overlaps(const Box& b) const
-    {
-        return min.x <= b.max.x && b.min.x <= max.x && min.y <= b.max.y && b.min.y <= max.y && min.z <= b.max.z && b.min.z <= max.z;
-    }
-    void add(const Box& b)
-    {
-        min = {std::min(min.x, b.min.x), std::min(min.y, b.min.y), std::min(min.z, b.min.z)};
-        max = {std::max(max.x, b.max.x), std::max(max.y, b.max.y), std::max(max.z, b.max.z)};
-    }
-};
-
 struct Triangle {
     Corners corners;
     uint32_t vertex[3];
     uint32_t face;
 };
 
-Box boxOf(const Corners& t)
+BoundingBox boxOf(const Corners& t)
 {
-    Box b{t.at[0], t.at[0]};
+    BoundingBox b{t.at[0], t.at[0]};
     for (int k = 1; k < 3; ++k) b.add({t.at[k], t.at[k]});
     return b;
 }
@@ -79,7 +63,7 @@ bool intersect(const Triangle& s, const Triangle& t)
     return true;
 }
 
-/// A complete binary tree: node k has the children 2k + 1 and 2k + 2, which share its range of triangles by halves.
+/// The triangles in the order of a tree of boxes.
 class Tree {
 public:
     Tree(std::vector<Triangle> triangles, Progress* progress);
@@ -88,99 +72,41 @@ public:
     std::vector<FacePair> pairs(size_t first, size_t last, size_t most) const;
 
 private:
-    struct Range {
-        size_t node, first, last;
-        size_t middle() const { return first + (last - first) / 2; }
-    };
-    static constexpr size_t leafSize = 4;
-    bool isLeaf(const Range& r) const { return 2 * r.node + 1 >= box_.size(); }
-    void sort(Range r);
-    void fit(Range r);
-
     std::vector<Triangle> triangles_;
-    std::vector<Box> own_, box_;  // of triangles, of nodes
-    Array<uint32_t> order_;
-    Progress* progress_;
+    std::vector<BoundingBox> own_;
+    BoxTree boxes_;
 };
 
-Tree::Tree(std::vector<Triangle> triangles, Progress* progress) : triangles_(std::move(triangles)), order_(triangles_.size()), progress_(progress)
+Tree::Tree(std::vector<Triangle> triangles, Progress* progress)
 {
-    size_t leaves = 1;
-    while (leaves * leafSize < triangles_.size()) leaves *= 2;
-    box_.resize(2 * leaves - 1);
-    own_.resize(triangles_.size());
-    for (size_t i = 0; i < own_.size(); ++i) own_[i] = boxOf(triangles_[i].corners);
-    std::iota(order_.begin(), order_.end(), 0u);
-    if (triangles_.empty()) return;
-    sort({0, 0, triangles_.size()});
-    std::vector<Triangle> sorted(triangles_.size());
-    std::vector<Box> boxes(own_.size());
-    for (size_t i = 0; i < sorted.size(); ++i) {
-        sorted[i] = triangles_[order_[i]];
-        boxes[i] = own_[order_[i]];
+    std::vector<BoundingBox> boxes(triangles.size());
+    for (size_t i = 0; i < boxes.size(); ++i) boxes[i] = boxOf(triangles[i].corners);
+    boxes_ = BoxTree(boxes, progress);
+    triangles_.reserve(boxes.size());
+    own_.reserve(boxes.size());
+    for (const uint32_t i : boxes_.order()) {
+        triangles_.push_back(triangles[i]);
+        own_.push_back(boxes[i]);
     }
-    triangles_ = std::move(sorted);
-    own_ = std::move(boxes);
-    fit({0, 0, triangles_.size()});
-}
-
-/// Halves by the middle of the boxes along the longest side. Ties by number, so that the order is the same on every run.
-void Tree::sort(Range r)
-{
-    if (isLeaf(r)) return;
-    if (progress_ && r.last - r.first > 32768) progress_->at(progress_->fraction);
-    Box centres{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
-    for (size_t i = r.first; i < r.last; ++i) {
-        const glm::vec3 c = 0.5f * own_[order_[i]].min + 0.5f * own_[order_[i]].max;
-        centres.add({c, c});
-    }
-    const glm::vec3 size = centres.max - centres.min;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const auto begin = order_.begin();
-    std::nth_element(begin + long(r.first), begin + long(r.middle()), begin + long(r.last), [&](uint32_t a, uint32_t b) {
-        const float x = 0.5f * own_[a].min[axis] + 0.5f * own_[a].max[axis], y = 0.5f * own_[b].min[axis] + 0.5f * own_[b].max[axis];
-        return x != y ? x < y : a < b;
-    });
-    const Range left{2 * r.node + 1, r.first, r.middle()}, right{2 * r.node + 2, r.middle(), r.last};
-    if (r.last - r.first < 8192) {
-        sort(left);
-        sort(right);
-    } else {
-        tbb::parallel_invoke([&] { sort(left); }, [&] { sort(right); });
-    }
-}
-
-void Tree::fit(Range r)
-{
-    Box& b = box_[r.node];
-    b = {glm::vec3(INFINITY), glm::vec3(-INFINITY)};
-    if (isLeaf(r)) {
-        for (size_t i = r.first; i < r.last; ++i) b.add(own_[i]);
-        return;
-    }
-    fit({2 * r.node + 1, r.first, r.middle()});
-    fit({2 * r.node + 2, r.middle(), r.last});
-    b = box_[2 * r.node + 1];
-    b.add(box_[2 * r.node + 2]);
 }
 
 std::vector<FacePair> Tree::pairs(size_t first, size_t last, size_t most) const
 {
     std::vector<FacePair> out;
-    std::vector<Range> open;
+    std::vector<BoxTree::Range> open;
     for (size_t i = first; i < last && out.size() <= most; ++i) {
         const Triangle& s = triangles_[i];
-        open.push_back({0, 0, triangles_.size()});
+        open.push_back(boxes_.root());
         while (!open.empty()) {
-            const Range r = open.back();
+            const BoxTree::Range r = open.back();
             open.pop_back();
-            if (r.last <= i + 1 || !box_[r.node].overlaps(own_[i])) continue;
-            if (!isLeaf(r)) {
-                open.push_back({2 * r.node + 2, r.middle(), r.last});
-                open.push_back({2 * r.node + 1, r.first, r.middle()});
+            if (r.last <= i + 1 || !boxes_.box(r.node).overlaps(own_[i])) continue;
+            if (!boxes_.isLeaf(r)) {
+                open.push_back(BoxTree::right(r));
+                open.push_back(BoxTree::left(r));
                 continue;
             }
-            for (size_t j = std::max(r.first, i + 1); j < r.last; ++j) {
+            for (size_t j = std::max<size_t>(r.first, i + 1); j < r.last; ++j) {
                 const Triangle& t = triangles_[j];
                 if (s.face != t.face && own_[i].overlaps(own_[j]) && intersect(s, t)) out.push_back(std::minmax(s.face, t.face));
             }

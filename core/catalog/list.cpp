@@ -4,10 +4,14 @@
 #include "core/character/fabrik.h"
 #include "core/character/interpolate_rotation.h"
 #include "core/character/joint_chain.h"
+#include "core/mesh/adjacency.h"
+#include "core/mesh/iterate.h"
+#include "core/mesh/one_ring_walk.h"
 #include "core/mesh/primitives.h"
 #include "core/mesh/sample_curve.h"
 #include "core/mesh/solids.h"
 #include "core/mesh/stripify.h"
+#include "core/mesh/triangle_adjacency.h"
 #include "core/metrics/uv_distortion.h"
 #include "core/metrics/valence.h"
 #include "core/repair/damaged_sphere.h"
@@ -175,6 +179,38 @@ std::span<const Operation> catalog()
                                           .category = "Query",
                                           .source = "core/metrics/uv_distortion.cpp"},
                                          uvDistortion),
+        entry<Mesh, Iterate, Table>({.id = "iterate",
+                                     .title = "Iterate",
+                                     .section = "2.6.1",
+                                     .summary = "Goes through all vertices, faces, edges or half-edges, one after the other.",
+                                     .category = "Query",
+                                     .steps = true,
+                                     .source = "core/mesh/iterate.cpp"},
+                                    iterate),
+        entry<Mesh, Adjacency, ElementSet>({.id = "adjacency",
+                                            .title = "Adjacency query",
+                                            .section = "2.6.2",
+                                            .summary = "Vertices, edges or faces beside one vertex, edge or face, found by walking half-edges.",
+                                            .category = "Query",
+                                            .steps = true,
+                                            .source = "core/mesh/adjacency.cpp"},
+                                           adjacency),
+        entry<Mesh, OneRingWalk, ElementSet>(
+            {.id = "one-ring-walk",
+             .title = "One-ring walk",
+             .section = "2.5",
+             .summary = "The vertices around one, by stepping from triangle to neighbouring triangle (face-based structure).",
+             .category = "Query",
+             .steps = true,
+             .source = "core/mesh/one_ring_walk.cpp"},
+            oneRingWalk),
+        entry<Mesh, TriangleAdjacency, Table>({.id = "triangle-adjacency",
+                                               .title = "Triangle adjacency",
+                                               .section = "2.9",
+                                               .summary = "Six vertices a triangle: its own and those beyond its sides.",
+                                               .category = "Query",
+                                               .source = "core/mesh/triangle_adjacency.cpp"},
+                                              triangleAdjacency),
         entry<Mesh, Stripify, Table>({.id = "stripify",
                                       .title = "Triangle strips",
                                       .section = "2.1",

@@ -11,30 +11,11 @@
 #include <deque>
 #include <limits>
 
-#include "core/mesh/connectivity.h"
+#include "core/mesh/opposite_sides.h"
 
 namespace mw {
 
 namespace {
-
-/// The side of another triangle that runs against side c, for every side; none at the boundary. Where more than two triangles meet, they are
-/// paired in the order of sides.
-Array<uint32_t> oppositeSides(const Mesh& triangles)
-{
-    const EdgeSides edges = edgeSidesOf(triangles, degenerateFacesOf(triangles));
-    Array<uint32_t> opposite(triangles.cornerCount(), none);
-    std::vector<uint32_t> up, down;
-    for (size_t e = 0; e < edges.size(); ++e) {
-        up.clear();
-        down.clear();
-        for (const uint32_t c : edges.sides(e)) (triangles.cornerVertex()[c] == edges.ends[2 * e] ? up : down).push_back(c);
-        for (size_t i = 0; i < std::min(up.size(), down.size()); ++i) {
-            opposite[up[i]] = down[i];
-            opposite[down[i]] = up[i];
-        }
-    }
-    return opposite;
-}
 
 uint32_t sideAfter(uint32_t c)
 {
@@ -126,7 +107,7 @@ private:
 Strips::Strips(const Mesh& mesh, const Stripify& parameters)
     : faces_(mesh.faceCount()),
       cut_(mesh.triangulation()),
-      opposite_(oppositeSides(mesh.isTriangles() ? mesh : Mesh::triangles(mesh.positions(), cut_.vertices))),
+      opposite_(oppositeSidesOf(mesh.isTriangles() ? mesh : Mesh::triangles(mesh.positions(), cut_.vertices))),
       queue_(cut_.faces.size(), parameters.start == Stripify::Start::InOrder),
       visited_(cut_.faces.size(), 0u),
       stripOfFace_(faces_, std::numeric_limits<double>::quiet_NaN())

@@ -42,7 +42,7 @@ public:
     Step&& point(glm::vec3 p, Role r, const char* label = nullptr) && { return focus({ElementKind::Point, r, label, 0, 0, p, {}}); }
     Step&& segment(glm::vec3 a, glm::vec3 b, Role r, const char* label = nullptr) && { return focus({ElementKind::Segment, r, label, 0, 0, a, b}); }
     Step&& element(ElementKind k, uint32_t i, Role r, const char* label = nullptr) && { return focus({k, r, label, i, 0, {}, {}}); }
-    /// Many elements of one kind and role.
+    /// Many elements of one kind and role; edges as pairs of vertices.
     Step&& ring(ElementKind kind, Role role, std::span<const uint32_t> indices) &&
     {
         if (rings_ < maxRings) ring_[rings_++] = {kind, role, indices};

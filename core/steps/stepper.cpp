@@ -15,8 +15,11 @@ StepRecord recordOf(const Run& run, size_t index)
     r.index = index;
     r.phase = s.phase();
     r.focus.assign(s.focus().begin(), s.focus().end());
-    for (const Step::Ring& ring : s.rings())
-        for (uint32_t i : ring.indices) r.focus.push_back({ring.kind, ring.role, nullptr, i, 0, {}, {}});
+    for (const Step::Ring& ring : s.rings()) {
+        const bool edges = ring.kind == ElementKind::Edge;
+        for (size_t i = 0; i + edges < ring.indices.size(); i += 1 + edges)
+            r.focus.push_back({ring.kind, ring.role, nullptr, ring.indices[i], edges ? ring.indices[i + 1] : 0, {}, {}});
+    }
     r.numbers.assign(s.numbers().begin(), s.numbers().end());
     r.progress = s.progress();
     r.file = run.where().file_name();

@@ -3,6 +3,7 @@
 #include "core/mesh/connectivity.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace mw {
 
@@ -56,7 +57,57 @@ Array<uint64_t> sidesByLowerVertex(const Mesh& mesh, std::span<const uint8_t> le
     return sides;
 }
 
+/// Sides still open hang in a list at one end of theirs, the home. A side that runs the other way closes the oldest one, which leaves the list, so
+/// that lists stay about one long. False when it took more than `budget` steps through them.
+template <class HomeIsFirst>
+bool pairSides(const Mesh& mesh, std::span<const uint8_t> leftOut, int64_t budget, const HomeIsFirst& homeIsFirst, Array<uint32_t>& opposite)
+{
+    struct Open {
+        uint32_t key, next;  // the other end, and in the lowest bit the direction still wanted
+    };
+    const auto open = std::make_unique_for_overwrite<Open[]>(mesh.cornerCount());  // pages never touched cost nothing
+    std::vector<uint32_t> head(mesh.vertexCount(), none);
+    uint32_t* out = opposite.data();
+    forSides(mesh, leftOut, [&](uint32_t c, uint32_t a, uint32_t b) {
+        if (budget <= 0) return;
+        out[c] = none;
+        if (a == b) return;
+        const bool homeIsA = homeIsFirst(a, b);
+        const uint32_t key = (homeIsA ? b : a) * 2 + homeIsA;
+        uint32_t* link = &head[homeIsA ? a : b];
+        while (*link != none && open[*link].key != key) {
+            link = &open[*link].next;
+            --budget;
+        }
+        if (const uint32_t d = *link; d != none) {
+            out[c] = d;
+            out[d] = c;
+            *link = open[d].next;
+        } else {
+            *link = c;  // at the end of the list: the oldest is found first
+            open[c] = {key ^ 1, none};
+        }
+    });
+    return budget > 0;
+}
+
 }  // namespace
+
+// Should the lists grow long (a cone whose tip has a low index), it starts again with the end of lower degree as home, which bounds the search for
+// any input; the pairs come out the same.
+Array<uint32_t> oppositeCornersOf(const Mesh& mesh, std::span<const uint8_t> leftOut)
+{
+    Array<uint32_t> opposite(mesh.cornerCount());
+    if (!leftOut.empty()) std::fill(opposite.begin(), opposite.end(), none);
+    if (pairSides(
+            mesh, leftOut, 64 + 8 * int64_t(mesh.cornerCount()), [](uint32_t a, uint32_t b) { return a < b; }, opposite))
+        return opposite;
+    std::vector<uint32_t> degree(mesh.vertexCount(), 0);
+    forSides(mesh, leftOut, [&](uint32_t, uint32_t a, uint32_t) { ++degree[a]; });
+    pairSides(
+        mesh, leftOut, INT64_MAX, [&](uint32_t a, uint32_t b) { return degree[a] < degree[b] || (degree[a] == degree[b] && a < b); }, opposite);
+    return opposite;
+}
 
 EdgeSides edgeSidesOf(const Mesh& mesh, std::span<const uint8_t> leftOut)
 {

@@ -19,6 +19,11 @@ struct EdgeSides {
 /// Of all faces, or of those whose entry in `leftOut` is 0.
 EdgeSides edgeSidesOf(const Mesh& mesh, std::span<const uint8_t> leftOut = {});
 
+/// For each corner the corner whose side runs the other way along the same edge; none where there is no such side. Sides are paired in the order
+/// of corners, the oldest first: a third side of an edge, or one of the same direction, finds nothing unless a fourth fits it. Faces whose entry in
+/// `leftOut` is not 0, and sides from a vertex to itself, have none. One pass, linear for any input.
+Array<uint32_t> oppositeCornersOf(const Mesh& mesh, std::span<const uint8_t> leftOut = {});
+
 /// Pairs of vertices, see Mesh::edges().
 Array<uint32_t> edgesOf(const Mesh& mesh);
 Rings ringsOf(const Mesh& mesh);

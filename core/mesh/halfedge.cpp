@@ -4,7 +4,6 @@
 
 #include <OpenMesh/Core/Mesh/Handles.hh>
 #include <algorithm>
-#include <memory>
 
 #include "core/error.h"
 #include "core/mesh/connectivity.h"
@@ -43,9 +42,7 @@ public:
 
 private:
     void chooseFaces(const Mesh& mesh);
-    void numberSides();
-    template <class HomeIsFirst>
-    bool pairSides(int64_t budget, const HomeIsFirst& homeIsFirst);
+    void numberSides(const Mesh& mesh);
     void fillFaces();
     void joinFans();
     void splitVertices();
@@ -60,6 +57,7 @@ private:
     OpenMesh::PolyConnectivity& kernel_;
     const uint32_t *start_, *at_;
     uint32_t vertices_, corners_, faces_;
+    std::vector<uint8_t> degenerate_;
     uint32_t keptCorners_ = 0, edges_ = 0, fanCorners_ = 0;
     /// The next half-edge round the vertex that one leaves; none for those of the boundary. Walks go over these 4 bytes a half-edge and not over
     /// the 32 of an edge in the kernel.
@@ -80,10 +78,10 @@ void Builder::forFaces(const Body& body) const
 void Builder::chooseFaces(const Mesh& mesh)
 {
     keptCorners_ = corners_;
-    const std::vector<uint8_t> degenerate = degenerateFacesOf(mesh);
-    if (degenerate.empty()) return;
+    degenerate_ = degenerateFacesOf(mesh);
+    if (degenerate_.empty()) return;
     for (uint32_t f = 0; f < faces_; ++f) {
-        if (!degenerate[f]) {
+        if (!degenerate_[f]) {
             view_.payloadFace.push_back(f);
         } else {
             ++view_.degenerateFaces;
@@ -95,56 +93,18 @@ void Builder::chooseFaces(const Mesh& mesh)
 
 /// An edge gets its number at its first corner; half-edge 2e leaves that corner. A later corner that runs the other way takes the side 2e+1 of
 /// the oldest edge still open there. Who finds no open edge (a third face, a neighbour of the same direction) gets a new edge of its own.
-/// Open edges hang in a list at their home end. Should the lists grow long (a cone whose tip has a low index), it starts again with the end of
-/// lower degree as home, which bounds the search for any input; the numbers come out the same.
-void Builder::numberSides()
+void Builder::numberSides(const Mesh& mesh)
 {
+    const Array<uint32_t> opposite = oppositeCornersOf(mesh, degenerate_);
     view_.cornerHalfedge.resize(corners_);
     if (view_.degenerateFaces > 0) std::fill(view_.cornerHalfedge.begin(), view_.cornerHalfedge.end(), none);
-    if (pairSides(64 + 8 * int64_t(corners_), [](uint32_t a, uint32_t b) { return a < b; })) return;
-    std::vector<uint32_t> degree(vertices_, 0);
-    forFaces([&](uint32_t, uint32_t c, uint32_t last) {
-        for (; c <= last; ++c) ++degree[at_[c]];
-    });
-    pairSides(INT64_MAX, [&](uint32_t a, uint32_t b) { return degree[a] < degree[b] || (degree[a] == degree[b] && a < b); });
-}
-
-/// False when it took more than `budget` steps through lists.
-template <class HomeIsFirst>
-bool Builder::pairSides(int64_t budget, const HomeIsFirst& homeIsFirst)
-{
-    struct Open {
-        uint32_t key, next;  // the other end, and in the lowest bit the direction still wanted
-    };
-    const auto open = std::make_unique_for_overwrite<Open[]>(keptCorners_);  // by edge; pages never touched cost nothing
-    std::vector<uint32_t> head(vertices_, none);
-    uint32_t* out = view_.cornerHalfedge.data();
-    uint32_t edges = 0, paired = 0;
+    uint32_t* side = view_.cornerHalfedge.data();
+    uint32_t edges = 0;
     forFaces([&](uint32_t, uint32_t first, uint32_t last) {
-        if (budget <= 0) return;
-        for (uint32_t c = first; c <= last; ++c) {
-            const uint32_t a = at_[c], b = at_[c == last ? first : c + 1];
-            const bool homeIsA = homeIsFirst(a, b);
-            const uint32_t key = (homeIsA ? b : a) * 2 + homeIsA;
-            uint32_t* link = &head[homeIsA ? a : b];
-            while (*link != none && open[*link].key != key) {
-                link = &open[*link].next;
-                --budget;
-            }
-            if (*link != none) {
-                out[c] = *link * 2 + 1;
-                ++paired;
-                *link = open[*link].next;  // closed: out of the list, which so stays about one long
-            } else {
-                *link = edges;  // at the end of the list: the oldest is found first
-                open[edges] = {key ^ 1, none};
-                out[c] = edges++ * 2;
-            }
-        }
+        for (uint32_t c = first; c <= last; ++c) side[c] = opposite[c] < c ? side[opposite[c]] + 1 : 2 * edges++;
     });
     edges_ = edges;
-    view_.boundaryEdges = edges - paired;
-    return budget > 0;
+    view_.boundaryEdges = 2 * edges - keptCorners_;
 }
 
 /// resize() leaves every handle invalid, so boundary half-edges have no face and lone vertices no half-edge already.
@@ -249,7 +209,7 @@ void Builder::run(const Mesh& mesh)
     if (vertices_ >= 1u << 31 || corners_ >= 1u << 30)
         throw Error("the mesh has more than a thousand million corners: too many for half-edges; simplify or split it");
     chooseFaces(mesh);
-    numberSides();
+    numberSides(mesh);
     fillFaces();
     joinFans();
     if (fanCorners_ != keptCorners_) splitVertices();

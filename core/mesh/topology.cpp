@@ -1,4 +1,5 @@
-// The topology report: sorted edges, then plain passes over flat arrays. No input takes longer than n log n.
+// The topology report. A mesh that is a plain manifold is walked once round every vertex; for any other edges are sorted, then come plain passes
+// over flat arrays. No input takes longer than n log n.
 #include "core/mesh/topology.h"
 
 #include <algorithm>
@@ -21,6 +22,10 @@ public:
 
 private:
     void countFaces();
+    bool walkVertices();
+    bool walkVertex(uint32_t first, std::vector<uint32_t>& seenFrom, UnionFind& sets);
+    void concludeWalk();
+    void sortEdges();
     void classifyEdges();
     void countValences();
     void testOrientability();
@@ -28,6 +33,7 @@ private:
     void countComponents();
     void traceBoundary();
     void findDuplicates();
+    void tallyValences();
     void findIsolated();
     void conclude();
 
@@ -37,6 +43,12 @@ private:
         const uint32_t f = cornerFace_[c];
         return c + 1 == start_[f + 1] ? start_[f] : c + 1;
     }
+    uint32_t prev(uint32_t c) const
+    {
+        if (triangles_) return c % 3 == 0 ? c + 2 : c - 1;
+        const uint32_t f = cornerFace_[c];
+        return c == start_[f] ? start_[f + 1] - 1 : c - 1;
+    }
     uint32_t faceOf(uint32_t c) const { return triangles_ ? c / 3 : cornerFace_[c]; }
     bool isLeftOut(size_t f) const { return !degenerate_.empty() && degenerate_[f]; }
 
@@ -45,9 +57,12 @@ private:
     bool triangles_ = false;
     Array<uint32_t> cornerFace_;  // empty for triangles
     std::vector<uint8_t> degenerate_;
-    EdgeSides edges_;
-    std::vector<uint32_t> boundary_;  // edges with one face
+    Array<uint32_t> opposite_;         // of each corner
+    EdgeSides edges_;                  // only where the mesh is no plain manifold
+    std::vector<uint32_t> boundary_;   // edges with one face
+    std::vector<uint8_t> onBoundary_;  // vertices
     Array<uint32_t> valence_;
+    size_t walked_ = 0, joined_ = 0;
     TopologyReport report_;
 };
 
@@ -67,6 +82,68 @@ void Analysis::countFaces()
     }
     for (size_t n = 0; n < sizes.size(); ++n)
         if (sizes[n]) report_.faceSizes[n] = sizes[n];
+}
+
+/// Round a vertex from one of its corners, through faces that share an edge there. False when a neighbour comes twice: an edge of more than two
+/// faces, or of two that run along it the same way.
+bool Analysis::walkVertex(uint32_t first, std::vector<uint32_t>& seenFrom, UnionFind& sets)
+{
+    const uint32_t v = at_[first];
+    uint32_t neighbours = 0;
+    bool twice = false;
+    const auto meet = [&](uint32_t w) {
+        twice |= seenFrom[w] == v;
+        seenFrom[w] = v;
+        ++neighbours;
+        if (w < v) joined_ += sets.join(w, v);
+    };
+    uint32_t c = first, before = first;
+    do {
+        meet(at_[next(c)]);
+        ++walked_;
+        before = prev(c);
+        c = opposite_[before];
+    } while (c != none && c != first);
+    if (c == none) {
+        onBoundary_[v] = 1;
+        meet(at_[before]);
+        for (uint32_t d = opposite_[first]; d != none; d = opposite_[c]) {
+            c = next(d);
+            meet(at_[next(c)]);
+            ++walked_;
+        }
+    }
+    valence_[v] = neighbours;
+    return !twice;
+}
+
+/// True when every vertex has one fan and every edge one or two faces that agree: then all there is to report follows from this one walk.
+bool Analysis::walkVertices()
+{
+    if (!degenerate_.empty()) return false;
+    opposite_ = oppositeCornersOf(mesh_);
+    const size_t n = mesh_.vertexCount();
+    valence_.assign(n, 0);
+    onBoundary_.assign(n, 0);
+    std::vector<uint32_t> seenFrom(n, none);
+    UnionFind sets(n);
+    for (uint32_t c = 0; c < mesh_.cornerCount(); ++c)
+        if (valence_[at_[c]] == 0 && !walkVertex(c, seenFrom, sets)) return false;
+    return walked_ == mesh_.cornerCount();
+}
+
+/// The long way, for meshes with edges or vertices that are no surface.
+void Analysis::sortEdges()
+{
+    opposite_ = {};
+    edges_ = edgeSidesOf(mesh_, degenerate_);
+    classifyEdges();
+    countValences();
+    testOrientability();
+    countFans();
+    countComponents();
+    traceBoundary();
+    findDuplicates();
 }
 
 void Analysis::classifyEdges()
@@ -90,13 +167,17 @@ void Analysis::countValences()
 {
     valence_.assign(mesh_.vertexCount(), 0);
     for (const uint32_t v : edges_.ends) ++valence_[v];
-    std::vector<uint8_t> onBoundary(mesh_.vertexCount(), 0);
-    for (const uint32_t e : boundary_) onBoundary[edges_.ends[2 * e]] = onBoundary[edges_.ends[2 * e + 1]] = 1;
+    onBoundary_.assign(mesh_.vertexCount(), 0);
+    for (const uint32_t e : boundary_) onBoundary_[edges_.ends[2 * e]] = onBoundary_[edges_.ends[2 * e + 1]] = 1;
+}
+
+void Analysis::tallyValences()
+{
     const uint32_t inner = triangles_ ? 6 : 4, outer = triangles_ ? 4 : 3;
     std::vector<size_t> count(valence_.empty() ? 0 : *std::max_element(valence_.begin(), valence_.end()) + 1);
     for (size_t v = 0; v < valence_.size(); ++v) {
         ++count[valence_[v]];
-        report_.regularVertices += valence_[v] == (onBoundary[v] ? outer : inner);
+        report_.regularVertices += valence_[v] == (onBoundary_[v] ? outer : inner);
     }
     for (size_t n = 0; n < count.size(); ++n)
         if (count[n]) report_.vertexValences[n] = count[n];
@@ -244,6 +325,26 @@ void Analysis::traceBoundary()
     report_.boundaryLoops = graph.components();
 }
 
+void Analysis::concludeWalk()
+{
+    BoundaryGraph graph;
+    bool doubled = !triangles_;  // two triangles with the same vertices share all their edges; larger faces need a closer look
+    for (uint32_t c = 0; c < mesh_.cornerCount(); ++c) {
+        if (opposite_[c] == none) {
+            graph.addDirected(at_[next(c)], at_[c]);  // against the face
+            ++report_.boundaryEdges;
+        } else if (triangles_ && c % 3 == 0 && opposite_[c + 1] != none && opposite_[c] / 3 == opposite_[c + 1] / 3) {
+            doubled = doubled || (opposite_[c + 2] != none && opposite_[c + 2] / 3 == opposite_[c] / 3);
+        }
+    }
+    report_.edges = (mesh_.cornerCount() + report_.boundaryEdges) / 2;
+    report_.boundaryLoops = graph.components();
+    if (doubled) findDuplicates();
+    size_t used = 0;
+    for (const uint32_t k : valence_) used += k > 0;
+    report_.components = used - joined_;
+}
+
 /// The vertices of a face, each once, ascending.
 void vertexSet(std::span<const uint32_t> face, std::vector<uint32_t>& set)
 {
@@ -326,15 +427,12 @@ TopologyReport Analysis::run()
     triangles_ = mesh_.isTriangles();
     if (!triangles_) cornerFace_ = cornerFacesOf(mesh_);
     degenerate_ = degenerateFacesOf(mesh_);
-    edges_ = edgeSidesOf(mesh_, degenerate_);
     countFaces();
-    classifyEdges();
-    countValences();
-    testOrientability();
-    countFans();
-    countComponents();
-    traceBoundary();
-    findDuplicates();
+    if (walkVertices())
+        concludeWalk();
+    else
+        sortEdges();
+    tallyValences();
     findIsolated();
     conclude();
     return std::move(report_);

@@ -8,6 +8,7 @@
 #include "core/mesh/iterate.h"
 #include "core/mesh/one_ring_walk.h"
 #include "core/mesh/primitives.h"
+#include "core/mesh/reorder.h"
 #include "core/mesh/sample_curve.h"
 #include "core/mesh/solids.h"
 #include "core/mesh/stripify.h"
@@ -150,6 +151,13 @@ std::span<const Operation> catalog()
                                  .attributes = {Carried::Gathered, Carried::Same, Carried::Same},
                                  .source = "core/repair/weld.cpp"},
                                 weld),
+        entry<Mesh, Reorder, Mesh>({.id = "reorder",
+                                    .title = "Put in order",
+                                    .summary = "Numbers vertices and faces as they lie on the surface, so that work on a shuffled mesh is quick.",
+                                    .category = "Repair",
+                                    .attributes = {Carried::Gathered, Carried::Gathered, Carried::Gathered},
+                                    .source = "core/mesh/reorder.cpp"},
+                                   reorder),
         entry<Mesh, VertexValence, Table>({.id = "vertex-valence",
                                            .title = "Valence of vertices",
                                            .section = "2.3",

@@ -16,6 +16,7 @@
 #include "core/io/placement.h"
 #include "core/io/ply.h"
 #include "core/io/stl.h"
+#include "core/mesh/reorder.h"
 #include "core/scene/samples.h"
 
 namespace mw {
@@ -200,6 +201,21 @@ void doubtUnit(Imported& in)
                            {}});
 }
 
+/// Indices are the file's own, so that the mesh stays as it came; but whoever works on it may want to know. Small meshes fit into caches anyway.
+void noticeShuffledOrder(Imported& in)
+{
+    constexpr size_t large = 200'000;
+    for (const MeshId id : in.scene.meshes()) {
+        const MeshObject& object = *in.scene.find(id);
+        if (object.base.faceCount() < large || scatterOf(object.base) <= mostScatterInOrder) continue;
+        in.warnings.push_back({"shuffled-order",
+                               "the vertices of \"" + object.name +
+                                   "\" are numbered at random, which makes work on it slow; \"Put in order\" (reorder) numbers them as they lie on "
+                                   "the surface",
+                               {}});
+    }
+}
+
 }  // namespace
 
 void placeAgain(Scene& scene, const std::vector<NodeId>& roots, const Placement& from, const Placement& to)
@@ -226,6 +242,7 @@ Imported readFile(const fs::path& file, Progress* progress, const ImportOptions&
     in.placement = wanted;
     if (options.metresPerUnit) in.units = unitText(*options.metresPerUnit);
     if (!options.metresPerUnit && !in.placementFromFile) doubtUnit(in);
+    if (!in.project) noticeShuffledOrder(in);
     return in;
 }
 

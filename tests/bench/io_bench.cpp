@@ -40,6 +40,7 @@ private:
         fs::create_directories(folder_);
         const Scene scan = sceneOf(scanMesh(), "scan");
         writeFile(scan, of("scan.obj"));
+        writeFile(scan, of("scan.off"));
         writeFile(scan, of("scan.ply"));
         const char* data = std::getenv("MESHWRIGHT_DATA");
         const fs::path dragon = fs::path(data ? data : "") / "meshes/large/dragon_871k.ply";
@@ -47,6 +48,7 @@ private:
         const Imported in = readFile(dragon);
         writeFile(in.scene, of("dragon.ply"));
         writeFile(in.scene, of("dragon.obj"));
+        writeFile(in.scene, of("dragon.off"));
     }
     ~Files()
     {
@@ -141,12 +143,12 @@ void add(const std::string& title, void (*f)(benchmark::State&, const std::strin
 
 const int registered = [] {
     for (const char* mesh : {"scan", "dragon"}) {
-        for (const std::string& file : {std::string(mesh) + ".obj", std::string(mesh) + ".ply"}) {
-            const bool obj = file.ends_with(".obj");
+        for (const std::string& file : {std::string(mesh) + ".obj", std::string(mesh) + ".off", std::string(mesh) + ".ply"}) {
+            const bool text = !file.ends_with(".ply");
             add(
                 "floor",
-                obj ? +[](benchmark::State& s, const std::string& f) { bareRead(s, f, true); }
-                    : +[](benchmark::State& s, const std::string& f) { bareRead(s, f, false); },
+                text ? +[](benchmark::State& s, const std::string& f) { bareRead(s, f, true); }
+                     : +[](benchmark::State& s, const std::string& f) { bareRead(s, f, false); },
                 file, 15);
             add("arrays", toArrays, file, 15);
             add("halfedges", toHalfedges, file, 8);

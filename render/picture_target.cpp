@@ -54,15 +54,20 @@ PictureTarget::~PictureTarget() = default;
 
 Picture PictureTarget::draw(Renderer& renderer, const Frame& frame, int width, int height)
 {
+    return draw([&](unsigned framebuffer, glm::ivec2 size) { renderer.draw(frame, framebuffer, size); }, frame.options.samples, width, height);
+}
+
+Picture PictureTarget::draw(const std::function<void(unsigned framebuffer, glm::ivec2 size)>& into, int wantedSamples, int width, int height)
+{
     GLint most = 0, mostSamples = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
     glGetIntegerv(GL_MAX_SAMPLES, &mostSamples);
     if (width < 1 || height < 1 || width > most || height > most)
         throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels cannot be drawn; each side may have 1 to " +
                     std::to_string(most));
-    const int samples = std::clamp(frame.options.samples, 0, int(mostSamples));
+    const int samples = std::clamp(wantedSamples, 0, int(mostSamples));
     impl_->drawn.resize(width, height, samples > 1 ? samples : 0);
-    renderer.draw(frame, impl_->drawn.framebuffer.get(), {width, height});
+    into(impl_->drawn.framebuffer.get(), {width, height});
     GLuint readFrom = impl_->drawn.framebuffer.get();
     if (samples > 1) {
         impl_->resolved.resize(width, height, 0);

@@ -56,7 +56,7 @@ def problems(path):
                 yield where + f"{target} lies in no known folder"
             elif there > here:
                 yield where + f"{name.rsplit('/', 1)[0]} must not include {target}, which stands below it"
-        qt_free = name.startswith(("core/", "render/", "app/cli/", "app/importer/")) or name == "app/main.cpp"
+        qt_free = name.startswith(("core/", "render/", "app/cli/", "app/figures/", "app/importer/")) or name == "app/main.cpp"
         if qt_free and QT.match(target):
             yield where + f"no Qt here ({target})"
         if name.startswith("core/") and GL.match(target):

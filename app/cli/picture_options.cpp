@@ -131,12 +131,18 @@ PictureSize takeSize(Arguments& arguments, PictureSize otherwise)
     return size;
 }
 
+std::optional<Theme> takeThemeIfSaid(Arguments& arguments)
+{
+    const std::optional<std::string> theme = arguments.value("--theme");
+    if (!theme) return {};
+    if (*theme == "dark") return Theme::Dark;
+    if (*theme == "light") return Theme::Light;
+    throw UsageError("--theme wants dark or light, not \"" + *theme + "\"");
+}
+
 Theme takeTheme(Arguments& arguments)
 {
-    const std::string theme = arguments.value("--theme").value_or("dark");
-    if (theme == "dark") return Theme::Dark;
-    if (theme == "light") return Theme::Light;
-    throw UsageError("--theme wants dark or light, not \"" + theme + "\"");
+    return takeThemeIfSaid(arguments).value_or(Theme::Dark);
 }
 
 std::shared_ptr<const HeatMap> heatMapOf(Table table, size_t column)

@@ -14,8 +14,9 @@ struct PictureSize {
 };
 /// "--size 1280x800". Throws UsageError; each side 1 to 16384.
 PictureSize takeSize(Arguments& arguments, PictureSize otherwise);
-/// "--theme dark|light".
+/// "--theme dark|light"; dark unless said.
 Theme takeTheme(Arguments& arguments);
+std::optional<Theme> takeThemeIfSaid(Arguments& arguments);
 
 /// How it is drawn: --style, --light, --light-turn, --shadows, --no-grid, --transparent, --theme.
 struct PictureLook {

@@ -33,7 +33,8 @@ constexpr Finding manyFinding{"many-materials", "material beyond the first 4096:
 /// Up to `most` numbers of a text; the rest stays as it was.
 int numbersOf(std::string_view text, double* to, int most)
 {
-    const std::string buffer(text.substr(0, 256));  // a line may be long
+    std::string buffer(text.substr(0, 256));  // a line may be long
+    buffer.append(8, '\0');                   // as text.h wants it
     const char* p = buffer.c_str();
     int n = 0;
     while (n < most) {

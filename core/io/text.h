@@ -1,9 +1,10 @@
-// Numbers in text, fast and independent of the locale. All readers here expect a buffer that ends in '\n' and zeros (FileBytes).
+// Numbers in text, fast and independent of the locale. All readers here expect a buffer that ends in '\n' and at least eight zeros (FileBytes).
 #pragma once
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -29,6 +30,36 @@ inline std::string_view tokenAt(const char* p)
 }
 
 namespace detail {
+
+/// How many digits stand at p, eight at most, and their value: all at once. Reads eight bytes.
+inline int upToEightDigits(const char* p, uint32_t& value)
+{
+    static_assert(std::endian::native == std::endian::little);
+    uint64_t bytes;
+    std::memcpy(&bytes, p, 8);
+    uint64_t d = bytes ^ 0x3030303030303030u;  // digits become 0 to 9
+    const uint64_t others = ((d + 0x7676767676767676u) | d) & 0x8080808080808080u;
+    const int count = others ? std::countr_zero(others) / 8 : 8;
+    d = count ? d << (64 - 8 * count) : 0;  // zeros before them
+    d = (d & 0x0f0f0f0f0f0f0f0fu) * 2561 >> 8;
+    d = (d & 0x00ff00ff00ff00ffu) * 6553601 >> 16;
+    value = uint32_t((d & 0x0000ffff0000ffffu) * 42949672960001u >> 32);
+    return count;
+}
+inline constexpr uint32_t wholePowersOfTen[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+
+/// Appends the digits at p to the mantissa; what is more than 64 bits hold wraps round, and whoever calls sees it by their number.
+inline const char* appendDigits(const char* p, uint64_t& mantissa)
+{
+    uint32_t value = 0;
+    int count = 8;
+    while (count == 8) {
+        count = upToEightDigits(p, value);
+        mantissa = mantissa * wholePowersOfTen[count] + value;
+        p += count;
+    }
+    return p;
+}
 
 inline constexpr double powersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                          1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -63,11 +94,11 @@ inline bool parseExact(const char*& p, double& value)
     if (negative || *q == '+') ++q;
     uint64_t mantissa = 0;
     const char* digits = q;
-    while (isDigit(*q)) mantissa = mantissa * 10 + uint64_t(*q++ - '0');
+    q = appendDigits(q, mantissa);
     long count = q - digits, exponent = 0;
     if (*q == '.') {
         const char* decimals = ++q;
-        while (isDigit(*q)) mantissa = mantissa * 10 + uint64_t(*q++ - '0');
+        q = appendDigits(q, mantissa);
         exponent = decimals - q;
         count -= exponent;
     }
@@ -118,7 +149,13 @@ inline bool parseNumber(const char*& p, float& value)
 /// Decimal digits; false when there are none. Stays at 2^40 or a little above when there are more.
 inline bool parseDigits(const char*& p, uint64_t& value)
 {
-    if (!isDigit(*p)) return false;
+    uint32_t first = 0;
+    const int count = detail::upToEightDigits(p, first);
+    if (count < 8) {
+        p += count;
+        value = first;
+        return count > 0;
+    }
     uint64_t v = 0;
     while (isDigit(*p)) {
         if (v < (uint64_t(1) << 40)) v = v * 10 + uint64_t(*p - '0');

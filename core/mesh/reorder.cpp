@@ -114,7 +114,7 @@ double scatterOf(const Mesh& mesh)
     if (faces < 4 * run) return 0;
     std::vector<uint32_t> lines;
     size_t touched = 0, looked = 0;
-    const size_t step = std::max(run, faces / 64);
+    const size_t step = std::max(run, faces / 16);
     for (size_t first = 0; first + run <= faces; first += step) {
         lines.clear();
         for (uint32_t c = mesh.faceStart()[first]; c < mesh.faceStart()[first + run]; ++c)

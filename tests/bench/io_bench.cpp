@@ -40,7 +40,7 @@ private:
         fs::create_directories(folder_);
         const Scene scan = sceneOf(scanMesh(), "scan");
         writeFile(scan, of("scan.obj"));
-        writeFile(scan, of("scan.off"));
+        writeFile(scan, of("scan.off"), {.binary = false});
         writeFile(scan, of("scan.ply"));
         const char* data = std::getenv("MESHWRIGHT_DATA");
         const fs::path dragon = fs::path(data ? data : "") / "meshes/large/dragon_871k.ply";
@@ -48,7 +48,7 @@ private:
         const Imported in = readFile(dragon);
         writeFile(in.scene, of("dragon.ply"));
         writeFile(in.scene, of("dragon.obj"));
-        writeFile(in.scene, of("dragon.off"));
+        writeFile(in.scene, of("dragon.off"), {.binary = false});
     }
     ~Files()
     {
@@ -131,7 +131,8 @@ void bareWrite(benchmark::State& state, const std::string& name)
 void write(benchmark::State& state, const std::string& name)
 {
     const Imported in = readFile(Files::get().of(name));
-    measure(state, name + " written", false, [&] { writeFile(in.scene, Files::get().of("copy" + fs::path(name).extension().string())); });
+    measure(state, name + " written", false,
+            [&] { writeFile(in.scene, Files::get().of("copy" + fs::path(name).extension().string()), {.binary = name.ends_with(".ply")}); });
 }
 
 void add(const std::string& title, void (*f)(benchmark::State&, const std::string&), const std::string& file, int times)

@@ -10,11 +10,13 @@
 #include "core/mesh/primitives.h"
 #include "core/mesh/reorder.h"
 #include "core/mesh/sample_curve.h"
+#include "core/mesh/small_disks.h"
 #include "core/mesh/solids.h"
 #include "core/mesh/stripify.h"
 #include "core/mesh/triangle_adjacency.h"
 #include "core/metrics/uv_distortion.h"
 #include "core/metrics/valence.h"
+#include "core/parameterize/embed_planar.h"
 #include "core/repair/damaged_sphere.h"
 #include "core/repair/fill_holes.h"
 #include "core/repair/normalise.h"
@@ -92,6 +94,20 @@ std::span<const Operation> catalog()
                                     .category = "Primitives",
                                     .source = "core/repair/damaged_sphere.cpp"},
                                    damagedSphere),
+        entry<SmallDisk, Mesh>({.id = "house",
+                                .title = "House",
+                                .section = "3.3.2",
+                                .summary = "Walls and roof without a floor: a small disk to unwrap.",
+                                .category = "Primitives",
+                                .source = "core/mesh/small_disks.cpp"},
+                               house),
+        entry<SmallDisk, Mesh>({.id = "car",
+                                .title = "Car",
+                                .section = "3.3.2",
+                                .summary = "A body without an underside: a small disk to unwrap.",
+                                .category = "Primitives",
+                                .source = "core/mesh/small_disks.cpp"},
+                               car),
         entry<Mesh, DecimateQuadric, Mesh>({.id = "decimate-quadric",
                                             .title = "Simplify by quadrics",
                                             .section = "3.1",
@@ -158,6 +174,15 @@ std::span<const Operation> catalog()
                                     .attributes = {Carried::Gathered, Carried::Gathered, Carried::Gathered},
                                     .source = "core/mesh/reorder.cpp"},
                                    reorder),
+        entry<Mesh, EmbedPlanar, Mesh>({.id = "embed-planar",
+                                        .title = "Planar embedding",
+                                        .section = "3.3.2",
+                                        .summary = "Lays a disk out in the plane by springs along its edges: texture coordinates without fold-overs.",
+                                        .category = "Unwrap",
+                                        .steps = true,
+                                        .attributes = {Carried::Same, Carried::NotApplicable, Carried::Same},
+                                        .source = "core/parameterize/embed_planar.cpp"},
+                                       embedPlanar),
         entry<Mesh, VertexValence, Table>({.id = "vertex-valence",
                                            .title = "Valence of vertices",
                                            .section = "2.3",

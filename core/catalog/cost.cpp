@@ -41,11 +41,15 @@ Estimate decimation(const Operation& op, double n, const ParameterValues& values
     return {n * 150 + (n - left) * 150 * std::log2(n + 2), left, 200 * n};
 }
 
-// Each level makes four of one; all levels count.
+// Each level makes four of one (sqrt(3): three; n-adic: n^2); all levels count.
 Estimate subdivision(const Operation& op, double n, const ParameterValues& values)
 {
-    const double out = n * std::pow(4, std::clamp(numberOf(op, values, "levels", 1), 1.0, 12.0));
-    return {55 * (out - n) * 4 / 3, out, 36 * out};
+    const double parts = numberOf(op, values, "n", 2), factor = op.id == "subdivide-sqrt3" ? 3 : parts * parts;
+    const double out = n * std::pow(factor, std::clamp(numberOf(op, values, "levels", 1), 1.0, 12.0));
+    static const std::map<std::string, double> perFace{
+        {"split-dyadic", 130}, {"split-nadic", 260}, {"subdivide-butterfly", 120}, {"subdivide-catmull-clark", 60}, {"subdivide-sqrt3", 130}};
+    const auto known = perFace.find(op.id);
+    return {(known == perFace.end() ? 55 : known->second) * (out - n) * factor / (factor - 1), out, 36 * out};
 }
 
 Estimate smoothing(const Operation& op, double n, const ParameterValues& values)

@@ -27,8 +27,13 @@
 #include "core/repair/smooth.h"
 #include "core/repair/weld.h"
 #include "core/simplify/decimate_quadric.h"
+#include "core/subdivide/split_dyadic.h"
+#include "core/subdivide/split_nadic.h"
+#include "core/subdivide/subdivide_butterfly.h"
+#include "core/subdivide/subdivide_catmull_clark.h"
 #include "core/subdivide/subdivide_curve.h"
 #include "core/subdivide/subdivide_loop.h"
+#include "core/subdivide/subdivide_sqrt3.h"
 #include "core/terrain/diamond_square.h"
 #include "core/terrain/perlin.h"
 #include "core/terrain/sinusoids.h"
@@ -117,6 +122,42 @@ std::span<const Operation> catalog()
                                             .attributes = {Carried::Surface, Carried::Surface, Carried::Gathered},
                                             .source = "core/simplify/decimate_quadric.cpp"},
                                            decimateQuadric),
+        entry<Mesh, SplitDyadic, Mesh>({.id = "split-dyadic",
+                                        .title = "Dyadic split",
+                                        .section = "3.2",
+                                        .summary = "Every edge becomes two and every face four; the surface stays.",
+                                        .category = "Subdivide",
+                                        .steps = true,
+                                        .attributes = {Carried::Stencil, Carried::Surface, Carried::Gathered},
+                                        .source = "core/subdivide/split_dyadic.cpp"},
+                                       splitDyadic),
+        entry<Mesh, SplitNadic, Mesh>({.id = "split-nadic",
+                                       .title = "n-adic split",
+                                       .section = "3.2",
+                                       .summary = "Every edge becomes n parts and every triangle or quad n² faces; the surface stays.",
+                                       .category = "Subdivide",
+                                       .steps = true,
+                                       .attributes = {Carried::Stencil, Carried::Surface, Carried::Gathered},
+                                       .source = "core/subdivide/split_nadic.cpp"},
+                                      splitNadic),
+        entry<Mesh, SubdivideCatmullClark, Mesh>({.id = "subdivide-catmull-clark",
+                                                  .title = "Catmull-Clark subdivision",
+                                                  .section = "3.2",
+                                                  .summary = "Faces of any size become quads, and the surface smooth.",
+                                                  .category = "Subdivide",
+                                                  .steps = true,
+                                                  .attributes = {Carried::Stencil, Carried::Surface, Carried::Gathered},
+                                                  .source = "core/subdivide/subdivide_catmull_clark.cpp"},
+                                                 subdivideCatmullClark),
+        entry<Mesh, SubdivideButterfly, Mesh>({.id = "subdivide-butterfly",
+                                               .title = "Butterfly subdivision",
+                                               .section = "3.2",
+                                               .summary = "Every triangle becomes four; the surface goes through all old vertices.",
+                                               .category = "Subdivide",
+                                               .steps = true,
+                                               .attributes = {Carried::Stencil, Carried::Surface, Carried::Gathered},
+                                               .source = "core/subdivide/subdivide_butterfly.cpp"},
+                                              subdivideButterfly),
         entry<Mesh, SubdivideLoop, Mesh>({.id = "subdivide-loop",
                                           .title = "Loop subdivision",
                                           .section = "3.2",
@@ -126,6 +167,15 @@ std::span<const Operation> catalog()
                                           .attributes = {Carried::Stencil, Carried::Surface, Carried::Gathered},
                                           .source = "core/subdivide/subdivide_loop.cpp"},
                                          subdivideLoop),
+        entry<Mesh, SubdivideSqrt3, Mesh>({.id = "subdivide-sqrt3",
+                                           .title = "Sqrt(3) subdivision",
+                                           .section = "3.2",
+                                           .summary = "Every triangle becomes three, edges are flipped, and the surface smooth.",
+                                           .category = "Subdivide",
+                                           .steps = true,
+                                           .attributes = {Carried::Stencil, Carried::Surface, Carried::Gathered},
+                                           .source = "core/subdivide/subdivide_sqrt3.cpp"},
+                                          subdivideSqrt3),
         entry<Mesh, Repair, Mesh>({.id = "repair",
                                    .title = "Repair",
                                    .section = "2.3",

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/subdivide/face_edges.h"
 #include "core/subdivide/subdivide_loop.h"
 
 namespace mw {
@@ -24,13 +25,14 @@ struct LoopLevel {
     size_t vertices = 0;
     Array<uint32_t> vertex, half;
     Array<Edge> edges;
-    std::vector<uint32_t> sharp;                           ///< edges, ascending
+    std::vector<SharpEdge> sharp;                          ///< ascending
+    std::vector<SharpVertex> creases;                      ///< what they do to vertices
     std::vector<std::pair<uint32_t, uint32_t>> irregular;  ///< vertices whose valence is not 6, and it
     std::vector<uint32_t> fixed;                           ///< vertices that stay whatever their edges say
 
     size_t faces() const { return vertex.size() / 3; }
-    /// Finds the edges of a triangle mesh. `crease` by corner, or empty.
-    static LoopLevel of(const Mesh& triangles, std::span<const float> crease, SubdivideLoop::Corners corners);
+    /// Finds the edges of a triangle mesh. `crease` by corner, or empty; `lasting` as faceEdgesOf.
+    static LoopLevel of(const Mesh& triangles, std::span<const float> crease, SubdivideLoop::Corners corners, float lasting = 1);
     /// The next level; without half-edges and edges if it is the last one.
     LoopLevel refined(bool last) const;
 };
@@ -38,22 +40,20 @@ struct LoopLevel {
 /// Positions of the next level. Edges first, in any number of calls from 0 on, then vertices; then finish().
 class LoopPoints {
 public:
-    LoopPoints(const LoopLevel& level, const std::vector<glm::dvec3>& old, SubdivideLoop::Weights weights);
+    LoopPoints(const LoopLevel& level, const Array<glm::vec3>& old, SubdivideLoop::Weights weights);
     void edges(size_t first, size_t end);
     void vertices();
 
-    std::vector<glm::dvec3> points;  ///< of the next level: vertices, then edges
+    Array<glm::vec3> points;  ///< of the next level: vertices, then edges
 
 private:
-    void applySharp();
     const LoopLevel& level_;
-    const std::vector<glm::dvec3>& old_;
+    const Array<glm::vec3>& old_;
     SubdivideLoop::Weights weights_;
-    std::vector<glm::dvec3> ring_;  // sum of the neighbours of each vertex
+    Array<glm::dvec3> ring_;  // sum of the neighbours of each vertex
 };
 
-/// The same as rows, for attributes.
+/// The same as rows, for attributes. The first source of a vertex is itself.
 Stencils loopVertexRows(const LoopLevel& level, SubdivideLoop::Weights weights);
-Stencils loopCornerRows(size_t faces);
 
 }  // namespace mw

@@ -5,89 +5,22 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/error.h"
+#include "core/subdivide/carried.h"
 #include "core/subdivide/loop_level.h"
 
 namespace mw {
 
 namespace {
 
-constexpr size_t mostTriangles = 100'000'000;
-
-/// The input as triangles, with its corner and face attributes on them. What cutting a polygon adds is no crease.
-Mesh asTriangles(const Mesh& input)
+Origins originsOf(const LoopLevel& level, SubdivideLoop::Weights weights, Creases creases)
 {
-    if (input.isTriangles()) return input;
-    const Mesh::Triangulation& t = input.triangulation();
-    Mesh out = Mesh::triangles(input.positions(), t.vertices).withGroupNames(input.groupNames());
-    if (!input.lines().empty()) out = out.withLines(input.lines());
-    for (const Attribute& a : input.attributes()) {
-        Attribute carried = a.domain == Domain::Corner ? gathered(a, t.corners) : a.domain == Domain::Face ? gathered(a, t.faces) : a;
-        if (a.domain == Domain::Corner && a.name == names::crease) {
-            Array<float> crease(t.corners.size(), 0.f);
-            for (size_t c = 0; c < crease.size(); ++c) {
-                const uint32_t face = t.faces[c / 3], after = t.corners[c % 3 == 2 ? c - 2 : c + 1], end = input.faceStart()[face + 1];
-                if (after == (t.corners[c] + 1 == end ? input.faceStart()[face] : t.corners[c] + 1)) crease[c] = float(a.at(t.corners[c], 0));
-            }
-            carried = floatAttribute(a.name, Domain::Corner, 1, std::move(crease));
-        }
-        out = out.with(std::move(carried));
-    }
-    return out;
-}
-
-void checkSize(const Mesh& triangles, int64_t levels)
-{
-    const double faces = double(triangles.faceCount()) * std::pow(4.0, double(levels));
-    if (faces <= double(mostTriangles)) return;
-    throw Error("levels=" + std::to_string(levels) + " would make " + std::to_string(int64_t(faces / 1e6)) + " million triangles, at most " +
-                std::to_string(mostTriangles / 1'000'000) + " million are made; take fewer levels or simplify first");
-}
-
-/// Sharpness goes to the halves of each side; sides inside are smooth.
-Attribute refinedCrease(const Attribute& crease)
-{
-    const size_t corners = crease.size();
-    Array<float> out(4 * corners, 0.f);
-    for (size_t c = 0; c < corners; ++c) {
-        const size_t f = c / 3, k = c % 3, child = 12 * f;
-        out[child + 3 * k] = float(crease.at(c, 0));
-        out[child + 3 * ((k + 1) % 3) + 2] = float(crease.at(c, 0));
-    }
-    return floatAttribute(crease.name, Domain::Corner, 1, std::move(out));
-}
-
-/// Puts the attributes of `old` on the next level.
-Mesh withAttributes(Mesh next, const Mesh& old, const LoopLevel& level, SubdivideLoop::Weights weights)
-{
-    const auto has = [&](Domain d) {
-        return std::any_of(old.attributes().begin(), old.attributes().end(), [d](const Attribute& a) { return a.domain == d; });
-    };
-    const Stencils vertexRows = has(Domain::Vertex) ? loopVertexRows(level, weights) : Stencils();
-    const Stencils cornerRows = has(Domain::Corner) ? loopCornerRows(level.faces()) : Stencils();
-    std::vector<uint32_t> faceFrom(has(Domain::Face) ? 4 * level.faces() : 0);
-    for (size_t f = 0; f < faceFrom.size(); ++f) faceFrom[f] = uint32_t(f / 4);
-    const Attribute *joints = old.find(names::joints, Domain::Vertex), *skin = old.find(names::weights, Domain::Vertex);
-    for (const Attribute& a : old.attributes()) {
-        if (a.domain == Domain::Face)
-            next = next.with(gathered(a, faceFrom));
-        else if (a.domain == Domain::Corner)
-            next = next.with(a.name == names::crease ? refinedCrease(a) : blended(a, cornerRows));
-        else if (!(joints && skin && (&a == joints || &a == skin)))
-            next = next.with(blended(a, vertexRows));
-    }
-    if (joints && skin) {
-        SkinWeights mixed = blendedSkin(*joints, *skin, vertexRows);
-        next = next.with(std::move(mixed.joints)).with(std::move(mixed.weights));
-    }
-    return next.withGroupNames(old.groupNames());
-}
-
-Array<glm::vec3> asFloats(std::span<const glm::dvec3> points)
-{
-    Array<glm::vec3> out(points.size());
-    for (size_t i = 0; i < points.size(); ++i) out[i] = glm::vec3(points[i]);
-    return out;
+    const FaceCut cut{{}, level.faces(), 3, true};
+    Origins o;
+    o.vertexRows = [&level, weights] { return loopVertexRows(level, weights); };
+    o.corner = [cut](const Attribute& a) { return cutCorners(a, cut); };
+    o.crease = [cut, creases](const Attribute& a) { return cutCrease(a, cut, creases); };
+    o.faces = [cut] { return cutFaces(cut); };
+    return o;
 }
 
 /// What the steps say about vertices: their neighbours and rules, read from the rows that attributes use.
@@ -112,11 +45,12 @@ Generator subdivideLoop(Mesh input, SubdivideLoop parameters, Stage<Mesh>& stage
 {
     constexpr size_t chunk = size_t(1) << 20;  // edges between two pauses when nobody watches
     Mesh mesh = asTriangles(input);
-    checkSize(mesh, parameters.levels);
+    checkResultSize(double(mesh.faceCount()) * std::pow(4.0, double(parameters.levels)), "levels=" + std::to_string(parameters.levels));
     stage.show([&mesh] { return mesh; });
-    const Attribute* crease = mesh.find(names::crease, Domain::Corner);
-    LoopLevel level = LoopLevel::of(mesh, crease ? crease->floats() : std::span<const float>(), parameters.corners);
-    std::vector<glm::dvec3> places(mesh.positions().begin(), mesh.positions().end());
+    LoopLevel level = LoopLevel::of(mesh, creaseOf(mesh), parameters.corners, parameters.fading ? alwaysSharp : 1.f);
+    Array<glm::vec3> places(mesh.positions().begin(), mesh.positions().end());
+    std::vector<Attribute> attributes = mesh.attributes();
+    const Creases creases = parameters.fading ? Creases::Fading : Creases::Lasting;
     const double share = 1.0 / double(parameters.levels);
 
     for (int64_t n = 1; n <= parameters.levels; ++n) {
@@ -127,7 +61,7 @@ Generator subdivideLoop(Mesh input, SubdivideLoop parameters, Stage<Mesh>& stage
             if (!stage.watched()) co_yield Step("edge").number("level", double(n)).progress(done);
         }
         next.vertices();
-        const std::vector<glm::dvec3>& points = next.points;
+        const Array<glm::vec3>& points = next.points;
 
         if (stage.watched()) {
             const Stencils rows = loopVertexRows(level, parameters.weights);
@@ -179,15 +113,18 @@ Generator subdivideLoop(Mesh input, SubdivideLoop parameters, Stage<Mesh>& stage
 
         const bool last = n == parameters.levels;
         LoopLevel finer = level.refined(last);
-        Mesh split = Mesh::triangles(asFloats(points), last ? std::move(finer.vertex) : finer.vertex);
-        if (!mesh.lines().empty()) split = split.withLines(mesh.lines());
-        mesh = withAttributes(std::move(split), mesh, level, parameters.weights);
+        attributes = carried(attributes, originsOf(level, parameters.weights, creases));
         places = std::move(next.points);
+        if (stage.watched() || last) {
+            Mesh split = Mesh::triangles(places, finer.vertex).withGroupNames(input.groupNames());
+            if (!input.lines().empty()) split = split.withLines(input.lines());
+            mesh = withAttributes(std::move(split), attributes);
+        }
         level = std::move(finer);
         co_yield Step("split")
             .number("level", double(n))
-            .number("vertices", double(mesh.vertexCount()))
-            .number("faces", double(mesh.faceCount()))
+            .number("vertices", double(level.vertices))
+            .number("faces", double(level.faces()))
             .progress(double(n) * share);
     }
     stage.finish(std::move(mesh));

@@ -2,11 +2,12 @@
 // 1994; weights of Warren 1995 on request.
 //
 // Takes any mesh; polygons are cut into triangles first, faces of fewer than three corners are left out. Edges with one face, more than two, or two
-// that run the same way are sharp, and so are those whose corner attribute `crease` is 0.5 or more: they become smooth curves of their own. A vertex
-// with three or more sharp edges stays; one with a single sharp edge (the end of a crease) moves as if it had none. Vertex attributes, skins and
-// morphs are mixed with the weights of the positions. Corner attributes (texture coordinates) are interpolated linearly within each face, so that
-// seams stay where they are. Faces take the attributes of the face they are cut from. Vertex v stays vertex v; triangle f gives 4f .. 4f+3, the last
-// one in the middle. Time and memory are linear in the result; at most 100 million triangles, beyond that it throws Error.
+// that run the same way are sharp, and so are those whose corner attribute `crease` is 1 or more: they become smooth curves of their own; below 1
+// they are partly sharp on the first level. If creases fade, `crease` counts the levels for which an edge is sharp. A vertex with three or more sharp
+// edges stays; one with a single sharp edge (the end of a crease) moves as if it had none. Vertex attributes, skins and morphs are mixed with the
+// weights of the positions. Corner attributes (texture coordinates) are interpolated linearly within each face, so that seams stay where they are.
+// Faces take the attributes of the face they are cut from. Vertex v stays vertex v; triangle f gives 4f .. 4f+3, the last one in the middle. Time and
+// memory are linear in the result; at most 100 million triangles, beyond that it throws Error.
 #pragma once
 #include "core/mesh/mesh.h"
 #include "core/steps/stage.h"
@@ -20,6 +21,7 @@ struct SubdivideLoop {
     int64_t levels = 1;
     Weights weights = Weights::Loop;
     Corners corners = Corners::Smooth;
+    bool fading = false;
 
     template <class V>
     void describe(V& v)
@@ -32,6 +34,10 @@ struct SubdivideLoop {
                  {.title = "Border corners",
                   .help = "Whether a vertex of a single face stays (sharp) or is rounded like the rest of the border.",
                   .advanced = true});
+        v.flag("fading", fading,
+               {.title = "Creases fade",
+                .help = "The crease of an edge is the number of levels it stays sharp for. Else 1 or more is sharp for ever.",
+                .advanced = true});
     }
 };
 

@@ -76,6 +76,16 @@ HeatRow heatRow(const HeatMap& heat)
     return heat.low < 0 && heat.high == -heat.low ? divergingRow : viridisRow;
 }
 
+const HeatMap* heatOf(const DrawObject& o, ElementKind rows)
+{
+    const HeatMap* h = o.heat.get();
+    if (!h || !h->table || h->column >= h->table->columns.size() || h->table->rows != rows) return nullptr;
+    const size_t n = h->table->columns[h->column].values.size();
+    const bool fits = (rows == ElementKind::Vertex && n == o.mesh.vertexCount()) || (rows == ElementKind::Face && n == o.mesh.faceCount()) ||
+                      (rows == ElementKind::Edge && 2 * n == h->table->edges.size());
+    return fits ? h : nullptr;
+}
+
 glm::vec3 linearOf(glm::vec3 c)
 {
     glm::vec3 r;

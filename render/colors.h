@@ -37,6 +37,9 @@ std::vector<uint8_t> heatTablePixels();
 /// Row of the table that a heat map is shown with: zero in the middle of a range asks for the diverging map.
 HeatRow heatRow(const HeatMap& heat);
 
+/// The heat map of an object, when it has one that fits its mesh and has such rows; else null.
+const HeatMap* heatOf(const DrawObject& o, ElementKind rows);
+
 glm::vec3 linearOf(glm::vec3 srgb);
 
 }  // namespace mw

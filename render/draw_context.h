@@ -75,6 +75,7 @@ void drawTerrains(DrawContext& c);
 void drawTerrainWires(DrawContext& c);
 void drawTerrainIds(DrawContext& c);  ///< into the id buffer
 void drawWires(DrawContext& c);
+void drawEdgeHeat(DrawContext& c);  ///< values of edges as coloured lines
 void drawGroundShadow(DrawContext& c);
 void drawGrid(DrawContext& c);
 void drawLoose(DrawContext& c);  ///< lines and points that belong to no face, needles

@@ -96,10 +96,21 @@ void drawBars(Canvas& canvas, glm::vec2 low, glm::vec2 high, const std::vector<s
 void drawTicks(Canvas& canvas, const HeatMap& h, const HistogramCache& seen, glm::vec2 low, glm::vec2 high, int font, glm::vec4 color)
 {
     constexpr int steps = 4;
+    std::array<std::string, steps + 1> texts;
+    std::array<float, steps + 1> widths;
     for (int i = 0; i <= steps; ++i) {
-        std::string text = tickText(h.low + (h.high - h.low) * i / steps);
+        std::string& text = texts[size_t(i)];
+        text = tickText(h.low + (h.high - h.low) * i / steps);
         if (i == 0 && seen.least < h.low) text = "\u2264 " + text;
         if (i == steps && seen.most > h.high) text = "\u2265 " + text;
+        widths[size_t(i)] = canvas.width(text, font, false);
+    }
+    // Those at the ends stand within the bar and reach towards their neighbours.
+    const float quarter = (high.x - low.x) / steps, gap = 0.4f * float(font);
+    const bool crowded = std::max(widths[0] + 0.5f * widths[1], widths[steps] + 0.5f * widths[steps - 1]) + gap > quarter;
+    for (int i = 0; i <= steps; ++i) {
+        if (crowded && i % 2) continue;
+        const std::string& text = texts[size_t(i)];
         const auto align = i == 0 ? Canvas::Align::Left : i == steps ? Canvas::Align::Right : Canvas::Align::Centre;
         canvas.text({low.x + (high.x - low.x) * float(i) / steps, high.y}, text, font, color, false, align);
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "render/draw_context.h"
+#include "render/heat_values.h"
 
 namespace mw {
 namespace {
@@ -118,7 +119,7 @@ void drawWires(DrawContext& c)
     const ThemeColors& theme = themeColors(c.frame.options.theme);
     glDepthMask(GL_FALSE);
     for (const DrawObject& o : c.frame.objects)
-        if (o.mesh.faceCount()) drawWire(c, o, {theme.wire, o.heat ? 0.45f : 0.7f});
+        if (o.mesh.faceCount() && !heatOf(o, ElementKind::Edge)) drawWire(c, o, {theme.wire, o.heat ? 0.45f : 0.7f});
     glDepthMask(GL_TRUE);
 }
 

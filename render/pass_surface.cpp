@@ -1,8 +1,8 @@
 // Shaded triangles: clay, vertex colours, textures and metal, or values as colours.
 #include <algorithm>
-#include <cmath>
 
 #include "render/draw_context.h"
+#include "render/heat_values.h"
 #include "render/image.h"
 #include "render/matcap.h"
 #include "render/materials.h"
@@ -13,41 +13,11 @@ namespace {
 constexpr glm::vec4 clay{0.60f, 0.60f, 0.61f, 1};
 constexpr size_t denseFaces = 200'000;  // from here on triangles are a few pixels at most, and light at the vertices is enough
 constexpr float backFaceTint = 0.28f;
-constexpr double undefinedValue = -1e38;
 
-const HeatMap* heatOf(const DrawObject& o)
+const HeatMap* surfaceHeat(const DrawObject& o)
 {
-    const HeatMap* h = o.heat.get();
-    if (!h || !h->table || h->column >= h->table->columns.size()) return nullptr;
-    const size_t n = h->table->columns[h->column].values.size();
-    const ElementKind rows = h->table->rows;
-    const bool fits = (rows == ElementKind::Vertex && n == o.mesh.vertexCount()) || (rows == ElementKind::Face && n == o.mesh.faceCount());
-    return fits ? h : nullptr;
-}
-
-float heatFloat(double v)
-{
-    return float(std::isfinite(v) ? std::clamp(v, -9e29, 9e29) : undefinedValue);
-}
-
-/// Values of a column for each drawn vertex, or each face.
-GLuint heatBuffer(GpuCache& cache, const HeatMap& h, const Shared<uint32_t>& vertexOf, GpuKey& key)
-{
-    key = {{h.table.get(), vertexOf.id()}, 100 + h.column};
-    return cache.made(key, {h.table, vertexOf.owner()}, [&] {
-        const Array<double>& values = h.table->columns[h.column].values;
-        Array<float> out(vertexOf.empty() ? values.size() : vertexOf.size());
-        for (size_t i = 0; i < out.size(); ++i) out[i] = heatFloat(values[vertexOf.empty() ? i : vertexOf[i]]);
-        return out;
-    });
-}
-
-glm::vec4 heatUniform(const HeatMap& h)
-{
-    const double span = h.high - h.low;
-    const HeatRow row = heatRow(h);
-    const double scale = span > 0 ? 1 / span : 0;
-    return {float(scale), float(span > 0 ? -h.low * scale : 0.5), row == categoryRow ? float(categoryCount) : 0.f, float(row)};
+    const HeatMap* vertices = heatOf(o, ElementKind::Vertex);
+    return vertices ? vertices : heatOf(o, ElementKind::Face);
 }
 
 /// Everything of the block that is the same for all runs of an object.
@@ -91,7 +61,7 @@ Plan planFor(const DrawContext& c, const DrawObject& o)
 {
     const ViewOptions& options = c.frame.options;
     Plan p;
-    p.heat = heatOf(o);
+    p.heat = surfaceHeat(o);
     p.matcap = options.shading == Shading::Matcap && !p.heat;
     p.checker = options.checker && !p.heat && !p.matcap;
     p.pictures = !p.heat && !p.matcap && !p.checker;

@@ -88,6 +88,7 @@ void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
     drawGroundShadow(c);
     drawGrid(c);
     drawWires(c);
+    drawEdgeHeat(c);
     drawLoose(c);
     drawOutlines(c, target);
     drawBones(c);

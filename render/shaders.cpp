@@ -16,6 +16,7 @@ constexpr const char* lit[] = {"camera.glsl", "object.glsl", "lights.glsl", "mat
 constexpr const char* shadowed[] = {"camera.glsl", "object.glsl", "lights.glsl", "shadow.glsl"};
 constexpr const char* disc[] = {"camera.glsl", "object.glsl", "lights.glsl"};
 constexpr const char* canvas[] = {"camera.glsl", "heat.glsl"};
+constexpr const char* lines[] = {"camera.glsl", "object.glsl", "heat.glsl"};
 
 constexpr const char* ground[] = {"camera.glsl", "object.glsl", "lights.glsl", "heat.glsl", "terrain.glsl"};
 constexpr const char* groundPlaces[] = {"camera.glsl", "object.glsl", "terrain.glsl"};
@@ -25,7 +26,7 @@ constexpr const char* surfaceVariants[] = {"FLAT",         "COLOR",   "MATERIAL"
                                            "MAP_EMISSIVE", "TANGENT", "ENVIRONMENT", "SHADOW",        "MATCAP",        "CHECKER"};
 constexpr const char* shadowVariants[] = {"MAP_BASE"};
 constexpr const char* wireVariants[] = {"EDGE_FLAGS"};
-constexpr const char* lineVariants[] = {"HALO"};
+constexpr const char* lineVariants[] = {"HALO", "HEAT"};
 constexpr const char* discVariants[] = {"COLOR"};
 constexpr const char* poseVariants[] = {"SPLIT", "MORPHED", "SKINNED"};
 constexpr const char* posedOutputs[] = {"posedPosition", "posedNormal"};
@@ -35,10 +36,10 @@ constexpr ProgramRow table[] = {
     {ProgramId::Background, "background", "background.vert", nullptr, "background.frag", camera, {}},
     {ProgramId::Surface, "surface", "surface.vert", nullptr, "surface.frag", lit, surfaceVariants},
     {ProgramId::Wire, "wire", "wire.vert", "wire.geom", "wire.frag", object, wireVariants},
-    {ProgramId::Line, "line", "line.vert", "line.geom", "line.frag", object, lineVariants},
+    {ProgramId::Line, "line", "line.vert", "line.geom", "line.frag", lines, lineVariants},
     {ProgramId::Disc, "disc", "disc.vert", nullptr, "disc.frag", disc, discVariants},
     {ProgramId::FaceMark, "face mark", "face_mark.vert", nullptr, "face_mark.frag", object, {}},
-    {ProgramId::Needle, "needle", "needle.vert", "line.geom", "line.frag", object, lineVariants},
+    {ProgramId::Needle, "needle", "needle.vert", "line.geom", "line.frag", lines, lineVariants},
     {ProgramId::Canvas, "canvas", "canvas.vert", nullptr, "canvas.frag", canvas, {}},
     {ProgramId::Outline, "outline", "background.vert", nullptr, "outline.frag", object, {}},
     {ProgramId::Ids, "ids", "ids.vert", nullptr, "ids.frag", object, {}},

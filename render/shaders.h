@@ -49,12 +49,12 @@ std::span<const ProgramRow> programTable();
 /// Text of an embedded file. Throws Error when there is none.
 std::string_view shaderFile(std::string_view name);
 
-/// Bits of ProgramId::Surface's variants, in the order of its row; Line and Needle know Halo, Wire knows EdgeFlags.
+/// Bits of ProgramId::Surface's variants, in the order of its row; Line and Needle know Halo and lineHeat, Wire knows EdgeFlags.
 namespace variant {
 inline constexpr unsigned flat = 1, color = 2, material = 4, heat = 8, heatCategory = 16, heatFace = 32, dimmed = 64, dense = 128;
 inline constexpr unsigned mapBase = 256, mapRoughness = 512, mapNormal = 1024, mapOcclusion = 2048, mapEmissive = 4096, tangent = 8192;
 inline constexpr unsigned environment = 1 << 14, shadow = 1 << 15, matcap = 1 << 16, checker = 1 << 17;
-inline constexpr unsigned edgeFlags = 1, halo = 1, pointColor = 1;
+inline constexpr unsigned edgeFlags = 1, halo = 1, lineHeat = 2, pointColor = 1;
 inline constexpr unsigned poseSplit = 1, poseMorphed = 2, poseSkinned = 4;
 inline constexpr unsigned denseGround = 2, water = 4, plain = 8, borders = 16, brush = 32;  // of Terrain, with flat
 }  // namespace variant

@@ -30,8 +30,8 @@ void colourBy(Frame& frame, const OperationCall& metric, Progress* progress)
         std::shared_ptr<HeatMap>& heat = byMesh[o.mesh.positions().id()];
         if (!heat) {
             Table table = std::get<Table>(apply(*metric.operation, o.mesh, metric.values, progress));
-            if (table.columns.empty() || (table.rows != ElementKind::Vertex && table.rows != ElementKind::Face))
-                throw Error("the operation " + metric.operation->id + " gives no number for each vertex or face; choose another metric");
+            if (table.columns.empty() || table.rows == ElementKind::Object)
+                throw Error("the operation " + metric.operation->id + " gives no number for each vertex, edge or face; choose another metric");
             heat = std::make_shared<HeatMap>(*heatMapOf(std::move(table)));
             low = first ? heat->low : std::min(low, heat->low);
             high = first ? heat->high : std::max(high, heat->high);

@@ -14,19 +14,29 @@
 #include "core/mesh/solids.h"
 #include "core/mesh/stripify.h"
 #include "core/mesh/triangle_adjacency.h"
+#include "core/metrics/boundary_distance.h"
+#include "core/metrics/closest_point.h"
+#include "core/metrics/edge_dihedral.h"
+#include "core/metrics/edge_quadric.h"
+#include "core/metrics/surface_distance.h"
 #include "core/metrics/uv_distortion.h"
 #include "core/metrics/valence.h"
+#include "core/metrics/vertex_planarity.h"
+#include "core/metrics/vertex_quadric.h"
 #include "core/parameterize/embed_planar.h"
 #include "core/repair/damaged_sphere.h"
 #include "core/repair/fill_holes.h"
 #include "core/repair/normalise.h"
 #include "core/repair/orient.h"
+#include "core/repair/project_onto.h"
 #include "core/repair/repair.h"
 #include "core/repair/select_elements.h"
 #include "core/repair/self_intersections.h"
 #include "core/repair/smooth.h"
 #include "core/repair/weld.h"
+#include "core/simplify/collapse_edge.h"
 #include "core/simplify/decimate_quadric.h"
+#include "core/simplify/decimate_vertices.h"
 #include "core/subdivide/split_dyadic.h"
 #include "core/subdivide/split_nadic.h"
 #include "core/subdivide/subdivide_butterfly.h"
@@ -158,6 +168,25 @@ std::span<const Operation> catalog()
                                                .attributes = {Carried::Stencil, Carried::Surface, Carried::Gathered},
                                                .source = "core/subdivide/subdivide_butterfly.cpp"},
                                               subdivideButterfly),
+        entry<Mesh, DecimateVertices, Mesh>(
+            {.id = "decimate-vertices",
+             .title = "Simplify by removing vertices",
+             .section = "3.1",
+             .summary = "Takes out the vertices that lie nearest to the plane of their faces, and closes each hole anew.",
+             .category = "Simplify",
+             .steps = true,
+             .attributes = {Carried::Gathered, Carried::Gathered, Carried::Gathered},
+             .source = "core/simplify/decimate_vertices.cpp"},
+            decimateVertices),
+        entry<Mesh, CollapseEdge, Mesh>({.id = "collapse-edge",
+                                         .title = "Collapse an edge",
+                                         .section = "3.1",
+                                         .summary = "One edge becomes a vertex, if that is legal; else the reason is told.",
+                                         .category = "Simplify",
+                                         .steps = true,
+                                         .attributes = {Carried::Surface, Carried::Surface, Carried::Gathered},
+                                         .source = "core/simplify/collapse_edge.cpp"},
+                                        collapseEdge),
         entry<Mesh, SubdivideLoop, Mesh>({.id = "subdivide-loop",
                                           .title = "Loop subdivision",
                                           .section = "3.2",
@@ -233,6 +262,13 @@ std::span<const Operation> catalog()
                                         .attributes = {Carried::Same, Carried::NotApplicable, Carried::Same},
                                         .source = "core/parameterize/embed_planar.cpp"},
                                        embedPlanar),
+        entry<Mesh, ProjectOnto, Mesh>({.id = "project-onto",
+                                        .title = "Project onto another mesh",
+                                        .summary = "Every vertex goes to the closest point of another surface.",
+                                        .category = "Repair",
+                                        .attributes = {Carried::Same, Carried::Same, Carried::Same},
+                                        .source = "core/repair/project_onto.cpp"},
+                                       projectOnto),
         entry<Mesh, VertexValence, Table>({.id = "vertex-valence",
                                            .title = "Valence of vertices",
                                            .section = "2.3",
@@ -240,6 +276,64 @@ std::span<const Operation> catalog()
                                            .category = "Query",
                                            .source = "core/metrics/valence.cpp"},
                                           vertexValence),
+        entry<Mesh, VertexPlanarity, Table>({.id = "vertex-planarity",
+                                             .title = "Planarity of vertices",
+                                             .section = "3.1",
+                                             .summary = "How far each vertex is off the average plane of its faces, as a share of its longest edge.",
+                                             .category = "Query",
+                                             .steps = true,
+                                             .source = "core/metrics/vertex_planarity.cpp"},
+                                            vertexPlanarity),
+        entry<Mesh, BoundaryDistance, Table>({.id = "boundary-distance",
+                                              .title = "Distance along the border",
+                                              .section = "3.1",
+                                              .summary = "How far each border vertex is off the line between its neighbours on the border.",
+                                              .category = "Query",
+                                              .steps = true,
+                                              .source = "core/metrics/boundary_distance.cpp"},
+                                             boundaryDistance),
+        entry<Mesh, VertexQuadric, Table>(
+            {.id = "vertex-quadric",
+             .title = "Quadric error of vertices",
+             .section = "3.1",
+             .summary = "What it costs to move each vertex to the middle of its ring: squared distances to the planes it leaves.",
+             .category = "Query",
+             .steps = true,
+             .source = "core/metrics/vertex_quadric.cpp"},
+            vertexQuadric),
+        entry<Mesh, EdgeDihedral, Table>({.id = "edge-dihedral",
+                                          .title = "Angle and length of edges",
+                                          .section = "3.1",
+                                          .summary = "The cost of each edge by the angle between its faces and by its length.",
+                                          .category = "Query",
+                                          .steps = true,
+                                          .source = "core/metrics/edge_dihedral.cpp"},
+                                         edgeDihedral),
+        entry<Mesh, EdgeQuadric, Table>({.id = "edge-quadric",
+                                         .title = "Quadric error of edges",
+                                         .section = "3.1",
+                                         .summary = "The best point to collapse each edge to, and what that costs.",
+                                         .category = "Query",
+                                         .steps = true,
+                                         .source = "core/metrics/edge_quadric.cpp"},
+                                        edgeQuadric),
+        entry<Mesh, ClosestPointQuery, Table>(
+            {.id = "closest-point",
+             .title = "Closest point",
+             .section = "3.4.1",
+             .summary = "The point of the surface closest to a given one: a walk through a tree of boxes, then distance, foot and inclusion.",
+             .category = "Query",
+             .steps = true,
+             .source = "core/metrics/closest_point.cpp"},
+            closestPointQuery),
+        entry<Mesh, SurfaceDistance, Table>(
+            {.id = "distance",
+             .title = "Distance to another mesh",
+             .section = "",
+             .summary = "How far each vertex is from another surface; Hausdorff and root mean square distance of both.",
+             .category = "Query",
+             .source = "core/metrics/surface_distance.cpp"},
+            surfaceDistance),
         entry<Mesh, SelfIntersections, Table>({.id = "self-intersections",
                                                .title = "Self-intersections",
                                                .section = "2.3",

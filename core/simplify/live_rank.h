@@ -5,7 +5,7 @@
 
 namespace mw {
 
-/// A Fenwick tree of presence: rank and removal in logarithmic time. An empty one answers with the index itself.
+/// A Fenwick tree of presence: rank, removal and adding again in logarithmic time. An empty one answers with the index itself.
 class LiveRank {
 public:
     LiveRank() = default;
@@ -16,6 +16,11 @@ public:
     void remove(uint32_t i)
     {
         for (size_t k = i + 1; k < tree_.size(); k += k & (~k + 1)) --tree_[k];
+    }
+    /// What was removed is there again.
+    void add(uint32_t i)
+    {
+        for (size_t k = i + 1; k < tree_.size(); k += k & (~k + 1)) ++tree_[k];
     }
     uint32_t operator()(uint32_t i) const
     {

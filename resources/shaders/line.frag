@@ -2,6 +2,9 @@
 noperspective in vec2 at;
 flat in float segmentLength;
 in vec3 lineView;
+#ifdef HEAT
+flat in float heatValue;
+#endif
 out vec4 color;
 
 const vec3 haloColor = vec3(0.0627, 0.0706, 0.0824);
@@ -23,7 +26,11 @@ void main()
     }
     color = vec4(mark.rgb, mark.a * alpha);
 #endif
+#ifdef HEAT
+    color = vec4(heatColor(heatValue, heat), mark.a * alpha);
+#else
     // The ground's lines fade with the distance; everything else has no range.
     if (heat.x > 0.0) color.a *= 1.0 - smoothstep(0.1, 1.0, length(lineView - heat.yzw) * heat.x);
+#endif
     if (color.a < 0.004) discard;
 }

@@ -5,6 +5,10 @@ in vec3 viewPoint[];
 noperspective out vec2 at;      // device pixels: along the segment from its start, and across
 flat out float segmentLength;
 out vec3 lineView;
+#ifdef HEAT
+uniform samplerBuffer faceValues;  // of the lines
+flat out float heatValue;
+#endif
 
 void main()
 {
@@ -33,6 +37,9 @@ void main()
         float s = (i & 1) == 0 ? -outer : outer, along = end ? outer : -outer;
         at = vec2((end ? len : 0.0) + along, s);
         lineView = end ? b : a;
+#ifdef HEAT
+        heatValue = texelFetch(faceValues, gl_PrimitiveIDIn).r;
+#endif
         vec3 n = end ? nb : na;
         gl_Position = vec4(n.xy + toNdc * (dir * along + side * s), n.z, 1.0);
         EmitVertex();

@@ -114,6 +114,35 @@ TEST_F(Pictures, HeatOnFacesOfPolygonsAndItsCategories)
     }
 }
 
+// A line of four pixels along each edge, in the very colour of its value; beside it the surface as without values. Undefined ones are grey.
+TEST_F(Pictures, HeatOnEdgesIsDrawnAsThickLines)
+{
+    const Mesh m = plane(2);
+    Table t;
+    t.rows = ElementKind::Edge;
+    t.edges.assign(m.edges().begin(), m.edges().end());
+    const size_t n = t.edges.size() / 2;
+    Column column{"cost", "", Array<double>(n), false};
+    for (size_t e = 0; e < n; ++e) column.values[e] = double(e) / double(n - 1);
+    column.values[3] = std::nan("");
+    t.columns.push_back(column);
+    Frame f = frameWith(m);
+    const Picture bare = draw(f);
+    HeatMap h{std::make_shared<Table>(t), 0, 0, 1};
+    f.objects[0].heat = std::make_shared<HeatMap>(h);
+    const Picture p = draw(f);
+    const std::vector<uint8_t> table = heatTablePixels();
+    for (size_t e = 0; e < n; ++e) {
+        const glm::dvec3 a = m.positions()[t.edges[2 * e]], b = m.positions()[t.edges[2 * e + 1]], middle = 0.5 * (a + b);
+        const glm::vec3 seen = glm::vec3(at(p, f.camera, middle));
+        const size_t i = 4 * size_t(std::lround(column.values[e] * 255));
+        const glm::vec3 expected = e == 3 ? glm::vec3(0x8A, 0x8F, 0x96) : glm::vec3(table[i], table[i + 1], table[i + 2]);
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(seen[k], expected[k], 3) << e;
+    }
+    for (const glm::dvec3 inFace : {glm::dvec3(-0.5, -0.5, 0), glm::dvec3(0.5, 0.5, 0)})
+        EXPECT_LE(distance(at(bare, f.camera, inFace), at(p, f.camera, inFace)), 1);
+}
+
 TEST_F(Pictures, WiresShowEdgesOfPolygonsButNoDiagonals)
 {
     Frame f = frameWith(quadCube(), 6);

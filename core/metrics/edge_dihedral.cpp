@@ -1,0 +1,137 @@
+// Query: the cost of each edge by the angle between its faces and its length.
+#include "core/metrics/edge_dihedral.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "core/metrics/fan.h"
+
+namespace mw {
+
+namespace {
+
+/// Edges with what the costs need, in the order of Mesh::edges().
+class EdgeCosts {
+public:
+    EdgeCosts(const Mesh& mesh, const EdgeDihedral& p);
+    size_t size() const { return ends_.size() / 2; }
+    uint32_t a(size_t e) const { return ends_[2 * e]; }
+    uint32_t b(size_t e) const { return ends_[2 * e + 1]; }
+    void measure(size_t e);
+
+    Table table;
+    double cosine = 1, length = 0, longest = 0;  // of the last edge; of all
+    uint32_t left = none, right = none;          // its sharpest pair of faces
+
+private:
+    void findSides();
+
+    const Mesh& mesh_;
+    EdgeDihedral parameters_;
+    Shared<uint32_t> ends_;
+    EdgeSides sides_;
+    Array<uint32_t> sidesOf_, faceOf_;
+    Array<FaceMeasure> measures_;
+};
+
+EdgeCosts::EdgeCosts(const Mesh& mesh, const EdgeDihedral& p)
+    : mesh_(mesh), parameters_(p), ends_(mesh.edges()), sides_(edgeSidesOf(mesh)), faceOf_(cornerFacesOf(mesh)), measures_(faceMeasuresOf(mesh))
+{
+    constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+    findSides();
+    table.rows = ElementKind::Edge;
+    table.edges.assign(ends_.begin(), ends_.end());
+    table.columns = {{"cost", "", Array<double>(size(), undefined), false},
+                     {"angle", "\u00b0", Array<double>(size(), undefined), false},
+                     {"length", "", Array<double>(size(), undefined), false}};
+    for (size_t e = 0; e < size(); ++e)
+        longest = std::max(longest, glm::distance(glm::dvec3(mesh_.positions()[a(e)]), glm::dvec3(mesh_.positions()[b(e)])));
+}
+
+// The sides are ordered by vertices, the edges by first corner.
+void EdgeCosts::findSides()
+{
+    Array<uint32_t> first(mesh_.vertexCount() + 1, 0u);
+    for (size_t s = 0; s < sides_.size(); ++s) ++first[sides_.ends[2 * s] + 1];
+    for (size_t v = 0; v < mesh_.vertexCount(); ++v) first[v + 1] += first[v];
+    sidesOf_.resize(size());
+    for (size_t e = 0; e < size(); ++e) {
+        uint32_t low = first[a(e)], high = first[a(e) + 1];
+        while (high - low > 1) {
+            const uint32_t middle = low + (high - low) / 2;
+            (sides_.ends[2 * middle + 1] <= b(e) ? low : high) = middle;
+        }
+        sidesOf_[e] = low;
+    }
+}
+
+void EdgeCosts::measure(size_t e)
+{
+    cosine = 1;
+    left = right = none;
+    length = glm::distance(glm::dvec3(mesh_.positions()[a(e)]), glm::dvec3(mesh_.positions()[b(e)]));
+    const auto sides = sides_.sides(sidesOf_[e]);
+    const auto runsUp = [&](uint32_t c) { return mesh_.cornerVertex()[c] == a(e); };
+    // Of very many faces on one edge only neighbours in the list are compared: else it would take the square of their number.
+    for (size_t i = 0; i < sides.size(); ++i)
+        for (size_t j = i + 1; j < std::min(sides.size(), i + 16); ++j) {
+            const FaceMeasure &m = measures_[faceOf_[sides[i]]], &n = measures_[faceOf_[sides[j]]];
+            if (!(m.area > 0) || !(n.area > 0)) continue;
+            const double c = std::clamp((runsUp(sides[i]) == runsUp(sides[j]) ? -1 : 1) * glm::dot(m.normal, n.normal), -1.0, 1.0);
+            if (left != none && c >= cosine) continue;
+            cosine = c;
+            left = faceOf_[sides[i]];
+            right = faceOf_[sides[j]];
+        }
+    if (left == none && !sides.empty()) left = faceOf_[sides[0]];
+    const double angle = std::acos(cosine), share = longest > 0 ? length / longest : 0, k1 = parameters_.k1, k2 = parameters_.k2;
+    double cost = k1 * angle + k2 * length;
+    if (parameters_.form == EdgeDihedral::Form::Normalised) cost = k1 * angle / std::numbers::pi + k2 * share;
+    if (parameters_.form == EdgeDihedral::Form::Cosine) cost = k1 * (1 - cosine) / 2 + k2 * share;
+    table.columns[0].values[e] = cost;
+    table.columns[1].values[e] = angle * 180 / std::numbers::pi;
+    table.columns[2].values[e] = length;
+}
+
+}  // namespace
+
+Generator edgeDihedral(Mesh input, EdgeDihedral parameters, Stage<Table>& stage)
+{
+    co_yield Step("gather").number("faces", double(input.faceCount())).progress(0);
+    EdgeCosts costs(input, parameters);
+    const double all = double(costs.size());
+    std::vector<uint32_t> faces;
+    stage.show([&costs] { return costs.table; });
+    double sum = 0, greatest = 0;
+    for (size_t e = 0; e < costs.size(); ++e) {
+        costs.measure(e);
+        const double cost = costs.table.columns[0].values[e];
+        sum += cost;
+        greatest = std::max(greatest, cost);
+        if (!stage.watched()) {
+            if ((e & 8191) == 0) co_yield Step("measure").progress(double(e) / all);
+            continue;
+        }
+        faces.clear();
+        for (const uint32_t f : {costs.left, costs.right})
+            if (f != none) faces.push_back(f);
+        co_yield Step("measure")
+            .edge(costs.a(e), costs.b(e), Role::Current, "e")
+            .ring(ElementKind::Face, Role::Neighbour, faces)
+            .number("form", double(parameters.form))
+            .number("faces", double(faces.size()))
+            .number("cosine", costs.cosine)
+            .number("angle", costs.table.columns[1].values[e])
+            .number("length", costs.length)
+            .number("longest", costs.longest)
+            .number("k1", parameters.k1)
+            .number("k2", parameters.k2)
+            .number("cost", cost)
+            .progress(double(e) / all);
+    }
+    costs.table.summary = {{"edges", all}, {"mean", all > 0 ? sum / all : 0}, {"greatest", greatest}, {"longest edge", costs.longest}};
+    stage.finish(std::move(costs.table));
+}
+
+}  // namespace mw

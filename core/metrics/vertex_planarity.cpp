@@ -1,0 +1,110 @@
+// Query: how far each vertex is off the average plane of its fan.
+#include "core/metrics/vertex_planarity.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/metrics/fan.h"
+
+namespace mw {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+/// One vertex after the other, so that a step can stop at each.
+class Planarity {
+public:
+    explicit Planarity(const Mesh& mesh)
+        : mesh_(mesh), measures_(faceMeasuresOf(mesh)), faceOf_(cornerFacesOf(mesh)), border_(borderNeighboursOf(mesh))
+    {
+        table.rows = ElementKind::Vertex;
+        table.columns = {{"d / longest edge", "", Array<double>(mesh.vertexCount(), undefined), false},
+                         {"d", "", Array<double>(mesh.vertexCount(), undefined), false}};
+    }
+    bool inside(uint32_t v) const { return border_.place[v] == BorderNeighbours::Place::Inside; }
+    void measure(uint32_t v);
+    void summarise();
+
+    Table table;
+    std::vector<uint32_t> faces;  // of the last vertex
+    AveragePlane plane;
+    double longest = 0, height = 0;
+    glm::vec3 foot{0}, at{0};
+
+private:
+    const Mesh& mesh_;
+    Array<FaceMeasure> measures_;
+    Array<uint32_t> faceOf_;
+    BorderNeighbours border_;
+};
+
+void Planarity::measure(uint32_t v)
+{
+    const Rings& rings = mesh_.rings();
+    const glm::dvec3 p = mesh_.positions()[v];
+    faces.clear();
+    plane = AveragePlane();
+    longest = height = 0;
+    foot = at = mesh_.positions()[v];
+    for (const uint32_t c : rings.cornersOf(v)) {
+        faces.push_back(faceOf_[c]);
+        plane.add(measures_[faces.back()]);
+    }
+    for (const uint32_t w : rings.neighboursOf(v)) longest = std::max(longest, glm::distance(p, glm::dvec3(mesh_.positions()[w])));
+    if (!inside(v) || !plane.defined() || !(longest > 0)) return;
+    height = plane.height(p);
+    foot = p - height * plane.normal();
+    table.columns[0].values[v] = std::abs(height) / longest;
+    table.columns[1].values[v] = std::abs(height);
+}
+
+void Planarity::summarise()
+{
+    double measured = 0, sum = 0, greatest = 0;
+    for (const double c : table.columns[0].values) {
+        if (std::isnan(c)) continue;
+        measured += 1;
+        sum += c;
+        greatest = std::max(greatest, c);
+    }
+    table.summary = {{"measured", measured}, {"mean", measured > 0 ? sum / measured : 0}, {"greatest", greatest}};
+}
+
+}  // namespace
+
+Generator vertexPlanarity(Mesh input, VertexPlanarity, Stage<Table>& stage)
+{
+    co_yield Step("gather").number("vertices", double(input.vertexCount())).progress(0);
+    Planarity p(input);
+    const double all = double(input.vertexCount());
+    stage.show([&p] { return p.table; });
+    for (uint32_t v = 0; v < input.vertexCount(); ++v) {
+        p.measure(v);
+        if (!stage.watched()) {
+            if ((v & 8191) == 0) co_yield Step("measure").progress(v / all);
+            continue;
+        }
+        if (p.inside(v))
+            co_yield Step("measure")
+                .vertex(v, Role::Current, "v")
+                .ring(ElementKind::Face, Role::Neighbour, p.faces)
+                .point(p.foot, Role::New, "p")
+                .segment(p.at, p.foot, Role::New, "d")
+                .number("faces", double(p.faces.size()))
+                .number("d", std::abs(p.height))
+                .number("longest", p.longest)
+                .number("cost", p.table.columns[0].values[v])
+                .progress(v / all);
+        else
+            co_yield Step("border")
+                .vertex(v, Role::Rejected, "v")
+                .ring(ElementKind::Face, Role::Neighbour, p.faces)
+                .number("faces", double(p.faces.size()))
+                .progress(v / all);
+    }
+    p.summarise();
+    stage.finish(std::move(p.table));
+}
+
+}  // namespace mw

@@ -1,0 +1,108 @@
+// Query: what it costs to move each vertex to the middle of its ring.
+#include "core/metrics/vertex_quadric.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace mw {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+class Costs {
+public:
+    Costs(const Mesh& mesh, const VertexQuadric& p)
+        : quadrics(vertexQuadricsOf(mesh, p.weight)), mesh_(mesh), measures_(faceMeasuresOf(mesh)), faceOf_(cornerFacesOf(mesh)), at_(p.at)
+    {
+        table.rows = ElementKind::Vertex;
+        table.columns = {{"QEM", "", Array<double>(mesh.vertexCount(), undefined), false},
+                         {"distance", "", Array<double>(mesh.vertexCount(), undefined), false}};
+    }
+    bool measure(uint32_t v);
+    void summarise();
+
+    Table table;
+    VertexQuadrics quadrics;
+    std::vector<uint32_t> faces;  // of the last vertex
+    glm::dvec3 place{0};
+    double weight = 0;  // of all its planes
+
+private:
+    const Mesh& mesh_;
+    Array<FaceMeasure> measures_;
+    Array<uint32_t> faceOf_;
+    VertexQuadric::At at_;
+};
+
+bool Costs::measure(uint32_t v)
+{
+    if (quadrics.planes[v] == 0) return false;
+    AveragePlane plane;
+    faces.clear();
+    for (const uint32_t c : mesh_.rings().cornersOf(v)) {
+        faces.push_back(faceOf_[c]);
+        plane.add(measures_[faces.back()]);
+    }
+    place = plane.point();
+    if (at_ == VertexQuadric::At::Ring) {
+        const auto ring = mesh_.rings().neighboursOf(v);
+        place = glm::dvec3(0);
+        for (const uint32_t w : ring) place += glm::dvec3(mesh_.positions()[w]) / double(ring.size());
+    }
+    const Quadric& q = quadrics.quadric[v];
+    weight = q.xx + q.yy + q.zz;  // the normals are unit
+    const double cost = std::max(0.0, q.at(quadrics.local(place)));
+    table.columns[0].values[v] = cost;
+    table.columns[1].values[v] = std::sqrt(cost / weight);
+    return true;
+}
+
+void Costs::summarise()
+{
+    double measured = 0, sum = 0, greatest = 0;
+    for (const double c : table.columns[0].values) {
+        if (std::isnan(c)) continue;
+        measured += 1;
+        sum += c;
+        greatest = std::max(greatest, c);
+    }
+    table.summary = {{"measured", measured}, {"mean", measured > 0 ? sum / measured : 0}, {"greatest", greatest}};
+}
+
+}  // namespace
+
+Generator vertexQuadric(Mesh input, VertexQuadric parameters, Stage<Table>& stage)
+{
+    co_yield Step("gather").number("vertices", double(input.vertexCount())).progress(0);
+    Costs costs(input, parameters);
+    const double all = double(input.vertexCount());
+    stage.show([&costs] { return costs.table; });
+    for (uint32_t v = 0; v < input.vertexCount(); ++v) {
+        if (!stage.watched() && (v & 8191) == 0) co_yield Step("measure").progress(v / all);
+        if (!costs.measure(v) || !stage.watched()) continue;
+        const Quadric& q = costs.quadrics.quadric[v];
+        co_yield Step("measure")
+            .vertex(v, Role::Current, "v")
+            .ring(ElementKind::Face, Role::Neighbour, costs.faces)
+            .point(glm::vec3(costs.place), Role::New, "p")
+            .number("planes", double(costs.quadrics.planes[v]))
+            .number("k11", q.xx)
+            .number("k12", q.xy)
+            .number("k13", q.xz)
+            .number("k14", q.bx)
+            .number("k22", q.yy)
+            .number("k23", q.yz)
+            .number("k24", q.by)
+            .number("k33", q.zz)
+            .number("k34", q.bz)
+            .number("k44", q.c)
+            .number("cost", costs.table.columns[0].values[v])
+            .number("distance", costs.table.columns[1].values[v])
+            .progress(v / all);
+    }
+    costs.summarise();
+    stage.finish(std::move(costs.table));
+}
+
+}  // namespace mw

@@ -82,6 +82,17 @@ void drawPoints(DrawContext& c, const DrawObject& o)
     c.counts.vertices += o.mesh.vertexCount();
 }
 
+constexpr uint64_t useFaceNeedles = 400;
+
+/// Their colour; their length is a share of the size of the mesh.
+void setNeedles(DrawContext& c, const DrawObject& o, glm::vec3 color)
+{
+    ObjectBlock b = c.blockOf(o.worldFromLocal);
+    b.mark = glm::vec4(color, 0.9f);
+    b.stroke = {1, 0, 0, float(0.02 * o.mesh.bounds().diagonal() * glm::length(glm::dvec3(o.worldFromLocal[0])))};
+    c.setObject(b);
+}
+
 void drawNeedles(DrawContext& c, const DrawObject& o)
 {
     const Bounds bounds = o.mesh.bounds();
@@ -90,16 +101,41 @@ void drawNeedles(DrawContext& c, const DrawObject& o)
     c.clearAttributes();
     SurfaceBuffers rest;
     rest.positions = c.gpu.cache.buffer(o.mesh.positions());
-    rest.normals = c.gpu.cache.buffer(o.mesh.vertexNormals());
+    const Attribute* own = o.mesh.find(names::normal, Domain::Vertex);
+    const Shared<float>* values = own && own->components == 3 ? std::get_if<Shared<float>>(&own->values) : nullptr;
+    rest.normals = values ? c.gpu.cache.buffer(*values) : c.gpu.cache.buffer(o.mesh.vertexNormals());
     rest.vertices = o.mesh.vertexCount();
     const Posing::Buffers posed = c.gpu.posing.captured(c.gpu.cache, c.gpu.programs, o, {}, rest);
     gl::attribute({0, posed.positions, 3, 0, 0, 1});
     gl::attribute({1, posed.normals, 3, 0, 0, 1});
-    ObjectBlock b = c.blockOf(o.worldFromLocal);
-    b.mark = glm::vec4(hex(0x6CB2FF), 0.9f);
-    b.stroke = {1, 0, 0, float(0.02 * bounds.diagonal() * glm::length(glm::dvec3(o.worldFromLocal[0])))};
-    c.setObject(b);
+    setNeedles(c, o, hex(0x6CB2FF));
     glDrawArraysInstanced(GL_LINES, 0, 2, GLsizei(o.mesh.vertexCount()));
+}
+
+/// Of a mesh as it is: a posed one has no faces on this side of the graphics card.
+void drawFaceNeedles(DrawContext& c, const DrawObject& o)
+{
+    const Mesh& m = o.mesh;
+    if (o.pose || m.bounds().empty || m.faceCount() == 0) return;
+    const GpuKey key{{m.positions().id(), m.cornerVertex().id(), m.faceStart().id()}, useFaceNeedles};
+    const Owners owners{m.positions().owner(), m.cornerVertex().owner(), m.faceStart().owner()};
+    const GLuint buffer = c.gpu.cache.made(key, owners, [&] {
+        std::vector<glm::vec3> needles;  // middle and normal of each face
+        needles.reserve(2 * m.faceCount());
+        for (size_t f = 0; f < m.faceCount(); ++f) {
+            glm::dvec3 sum(0);
+            for (const uint32_t v : m.face(f)) sum += glm::dvec3(m.positions()[v]);
+            needles.emplace_back(sum / double(std::max<size_t>(1, m.face(f).size())));
+            needles.push_back(m.faceNormals()[f]);
+        }
+        return needles;
+    });
+    c.use(ProgramId::Needle);
+    c.clearAttributes();
+    gl::attribute({0, buffer, 3, 24, 0, 1});
+    gl::attribute({1, buffer, 3, 24, 12, 1});
+    setNeedles(c, o, hex(0xF2B84B));
+    glDrawArraysInstanced(GL_LINES, 0, 2, GLsizei(m.faceCount()));
 }
 
 }  // namespace
@@ -131,6 +167,7 @@ void drawLoose(DrawContext& c)
         drawLooseLines(c, o);
         drawPoints(c, o);
         if (c.frame.options.normalsNeedles) drawNeedles(c, o);
+        if (c.frame.options.faceNeedles) drawFaceNeedles(c, o);
     }
 }
 

@@ -120,7 +120,7 @@ struct ViewOptions {
     Theme theme = Theme::Dark;
     bool wireOverlay = false, xray = false, grid = true, axes = true, orientationMarker = true, legend = true;
     bool transparentBackground = false;
-    bool normalsNeedles = false;
+    bool normalsNeedles = false, faceNeedles = false;  ///< at vertices, at the middles of faces
     Lighting lighting = Lighting::ThreePoint;
     std::string environment = "studio";  ///< one of render/environment.h
     double environmentTurn = 0;          ///< radians about +Y

@@ -127,7 +127,7 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     light->addSeparator();
     light->addActions({turnLight, shadows});
     auto* overlays = view->addMenu("Overlays");
-    overlays->addActions({wireOverlay, xray, checker, grid, normals, bones, orientation, legend});
+    overlays->addActions({wireOverlay, xray, checker, grid, normals, faceNormals, bones, orientation, legend});
     view->addSeparator();
     view->addMenu("Theme")->addActions(themes);
     view->addAction(reducedMotion);

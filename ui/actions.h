@@ -22,7 +22,8 @@ struct Actions {
     QAction *undo, *redo, *remove, *rename, *duplicate, *duplicateLinked, *join, *separateFaces, *separateParts, *separateMaterials, *groupNodes,
         *ownCopy, *copyHistory;
     QAction *selectAll, *selectNone, *invert, *hide, *hideOthers, *showAll;
-    QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *bones, *picture, *resetCamera;
+    QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *faceNormals, *bones, *picture,
+        *resetCamera;
     QAction *reducedMotion, *nextPickKind, *shadows, *checker, *turnLight, *turntable;
     QList<QAction*> lights, matcaps;
     QList<QAction*> themes;

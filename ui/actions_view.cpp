@@ -53,6 +53,7 @@ void Actions::makeView()
     xray = toggle("X-ray", "xray", "X", "See, and pick, through the surface", &ViewOptions::xray);
     grid = toggle("Grid", "grid", "G", "The ground in metres", &ViewOptions::grid);
     normals = toggle("Normals", "", "", "A needle at each vertex", &ViewOptions::normalsNeedles);
+    faceNormals = toggle("Face normals", "", "", "A needle at the middle of each face", &ViewOptions::faceNeedles);
     bones = make(
         "Bones", "bone", "", "The joints of skeletons, through what hides them",
         [&s] {

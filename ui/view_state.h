@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/mesh/weighted_normals.h"
 #include "core/scene/document.h"
 #include "core/terrain/brush.h"
 #include "render/renderer.h"
@@ -24,6 +25,8 @@ struct ViewSettings {
     QString colourBy;                     ///< id of a query operation ("vertex-valence"), or empty: material
     std::map<MeshId, size_t> shownLevel;  ///< 0 base .. n; absent: the result
     bool showBones = true, showMeshes = true;
+    /// How smooth shading and needles weigh the faces at a vertex, on meshes without normals of their own.
+    NormalWeight normalWeight = NormalWeight::Area;
 };
 
 /// The settings it inherits are those of the active view: the one used last. Panels and actions speak to that one.
@@ -53,6 +56,12 @@ public:
     NodeId hovered;
     std::vector<Mark> flashes;  ///< marks panels put into the view (offenders under the mouse)
     bool dimOthers = false;     ///< everything but marked elements at 35 %
+    /// What a panel draws at elements it explains: arrows, letters. Places are the world's. Not while stepping.
+    struct Sketch {
+        std::vector<Mark> marks;
+        std::vector<MarkPoint> points;
+        std::vector<Label> labels;
+    } sketch;
 
     // Time: which clip poses the scene, and where its playhead stands. ui/playback.h moves it.
     ClipId clip;      ///< none: the scene rests

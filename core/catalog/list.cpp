@@ -14,6 +14,7 @@
 #include "core/mesh/solids.h"
 #include "core/mesh/stripify.h"
 #include "core/mesh/triangle_adjacency.h"
+#include "core/mesh/weighted_normals.h"
 #include "core/metrics/boundary_distance.h"
 #include "core/metrics/closest_point.h"
 #include "core/metrics/edge_dihedral.h"
@@ -269,6 +270,14 @@ std::span<const Operation> catalog()
                                         .attributes = {Carried::Same, Carried::Same, Carried::Same},
                                         .source = "core/repair/project_onto.cpp"},
                                        projectOnto),
+        entry<Mesh, Normals, Mesh>({.id = "normals",
+                                    .title = "Normals",
+                                    .section = "2.7",
+                                    .summary = "Normals of vertices or corners: the mean of the faces around, weighted; sharp edges can stay sharp.",
+                                    .category = "Smooth",
+                                    .attributes = {Carried::Same, Carried::Same, Carried::Same},
+                                    .source = "core/mesh/weighted_normals.cpp"},
+                                   normals),
         entry<Mesh, VertexValence, Table>({.id = "vertex-valence",
                                            .title = "Valence of vertices",
                                            .section = "2.3",

@@ -10,6 +10,8 @@
 #include "core/mesh/normals.h"
 #include "core/mesh/stripify.h"
 #include "core/mesh/topology.h"
+#include "core/mesh/triangle_adjacency.h"
+#include "core/mesh/weighted_normals.h"
 #include "core/repair/weld.h"
 
 #include "bench/bench_meshes.h"
@@ -140,6 +142,20 @@ void vertexNormalsToBareLoop(benchmark::State& state)
         state, mesh, [&] { benchmark::DoNotOptimize(vertexNormalsOf(mesh)); }, bareNormals);
 }
 
+void angleNormalsToBareLoop(benchmark::State& state)
+{
+    const Mesh& mesh = chosen(state);
+    compare(
+        state, mesh, [&] { benchmark::DoNotOptimize(vertexNormalsOf(mesh, NormalWeight::Angle)); }, bareNormals);
+}
+
+void adjacencyToCountingSort(benchmark::State& state)
+{
+    const Mesh& mesh = chosen(state);
+    compare(
+        state, mesh, [&] { benchmark::DoNotOptimize(adjacencyIndices(mesh)); }, bareOpposites);
+}
+
 void edgesToCountingSort(benchmark::State& state)
 {
     const Mesh& mesh = chosen(state);
@@ -192,6 +208,8 @@ void contentHashOfMesh(benchmark::State& state)
 BENCHMARK(halfedgesToCountingSort)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(halfedgesToAddFace)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(vertexNormalsToBareLoop)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(angleNormalsToBareLoop)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(adjacencyToCountingSort)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(edgesToCountingSort)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(ringsToCountingSort)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(topologyToCountingSort)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);

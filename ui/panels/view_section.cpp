@@ -40,11 +40,18 @@ std::vector<Parameter> rows()
     all.push_back(
         {"checker", ParameterType::Flag, false, {.title = "Checker", .help = "Squares by texture coordinate in place of the base colour."}, {}});
     all.push_back(choice("matcap", namesOf(matcaps()), {.title = "Matcap", .help = "The sphere that matcap shading looks up."}));
+    all.push_back(
+        choice("normals", {"area", "angle", "plain"},
+               {.title = "Normals",
+                .help = "What a face counts in the normal of a vertex: its area, its angle there, or as much as any other. For meshes without "
+                        "normals of their own."}));
     return all;
 }
 
-ParameterValues valuesOf(const ViewOptions& o)
+ParameterValues valuesOf(const ViewState& view)
 {
+    static constexpr const char* weights[] = {"area", "angle", "plain"};
+    const ViewOptions& o = view.options;
     // Turns beyond half a turn are the same as those within.
     const double turn = std::remainder(o.environmentTurn * 180 / std::numbers::pi, 360.0);
     return {{"light", std::string(o.lighting == Lighting::Environment ? "environment" : "three-point")},
@@ -52,7 +59,8 @@ ParameterValues valuesOf(const ViewOptions& o)
             {"turn", std::round(turn * 1e6) / 1e6},
             {"shadows", o.shadows},
             {"checker", o.checker},
-            {"matcap", o.matcap}};
+            {"matcap", o.matcap},
+            {"normals", std::string(weights[size_t(view.normalWeight)])}};
 }
 
 void apply(const ParameterValues& v, ViewState& view)
@@ -66,6 +74,8 @@ void apply(const ParameterValues& v, ViewState& view)
     o.shadows = std::get<bool>(value(3));
     o.checker = std::get<bool>(value(4));
     o.matcap = std::get<std::string>(value(5));
+    const std::string weight = std::get<std::string>(value(6));
+    view.normalWeight = weight == "plain" ? NormalWeight::Plain : weight == "angle" ? NormalWeight::Angle : NormalWeight::Area;
     view.touch();
 }
 
@@ -74,13 +84,13 @@ void apply(const ParameterValues& v, ViewState& view)
 QWidget* makeViewSection(Session& session, QWidget* parent)
 {
     auto* fold = new Fold("View", "view", false, parent);
-    auto* form = new ParameterForm(rows(), valuesOf(session.view.options), fold);
+    auto* form = new ParameterForm(rows(), valuesOf(session.view), fold);
     form->setObjectName("viewForm");
     form->wrapWhenNarrow();
     fold->inside()->addWidget(form);
     QObject::connect(form, &ParameterForm::edited, fold, [&session](const ParameterValues& v) { apply(v, session.view); });
     QObject::connect(form, &ParameterForm::committed, fold, [&session](const ParameterValues& v) { apply(v, session.view); });
-    QObject::connect(&session.view, &ViewState::changed, form, [&session, form] { form->setValues(valuesOf(session.view.options)); });
+    QObject::connect(&session.view, &ViewState::changed, form, [&session, form] { form->setValues(valuesOf(session.view)); });
     return fold;
 }
 

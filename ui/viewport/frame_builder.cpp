@@ -8,6 +8,13 @@
 namespace mw {
 namespace {
 
+void addSketch(const ViewState::Sketch& sketch, Frame& frame)
+{
+    frame.marks.insert(frame.marks.end(), sketch.marks.begin(), sketch.marks.end());
+    frame.points.insert(frame.points.end(), sketch.points.begin(), sketch.points.end());
+    frame.labels.insert(frame.labels.end(), sketch.labels.begin(), sketch.labels.end());
+}
+
 void markSelection(const Session& s, Frame& frame)
 {
     const Selection& selection = s.document.selection();
@@ -68,10 +75,15 @@ Frame buildFrame(const Session& session, const ViewSettings& look, HeatService& 
     const Operation* query = look.colourBy.isEmpty() ? nullptr : findOperation(look.colourBy.toStdString());
     if (query && !session.steps.isOpen())
         for (DrawObject& o : frame.objects) o.heat = heats.heat(*query, o.mesh);
+    if (!session.steps.isOpen())
+        for (DrawObject& o : frame.objects) o.mesh = heats.normals.shown(o.mesh, look.normalWeight);
     for (DrawTerrain& t : frame.terrains) t.overlay = session.view.groundOverlay;
     markSelection(session, frame);
     frame.marks.insert(frame.marks.end(), session.view.flashes.begin(), session.view.flashes.end());
-    if (session.steps.isOpen()) markStep(session, frame);
+    if (session.steps.isOpen())
+        markStep(session, frame);
+    else
+        addSketch(session.view.sketch, frame);
     return frame;
 }
 

@@ -1,4 +1,4 @@
-// Tables that colour meshes: a query operation run as a job for each mesh shown, kept while that mesh is.
+// What is computed to show meshes: tables that colour them (a query operation run as a job for each mesh shown, kept while that mesh is), normals.
 #pragma once
 #include <QObject>
 #include <list>
@@ -7,6 +7,7 @@
 #include "core/catalog/catalog.h"
 #include "render/renderer.h"
 #include "ui/jobs.h"
+#include "ui/viewport/normal_service.h"
 
 namespace mw {
 
@@ -14,7 +15,11 @@ class HeatService : public QObject {
     Q_OBJECT
 
 public:
-    HeatService(Jobs& jobs, QObject* parent = nullptr) : QObject(parent), jobs_(jobs) {}
+    HeatService(Jobs& jobs, QObject* parent = nullptr) : QObject(parent), normals(jobs), jobs_(jobs)
+    {
+        connect(&normals, &NormalService::ready, this, &HeatService::ready);
+    }
+    NormalService normals;
     /// Null while it is being computed; ready() follows. Failed ones stay null and their text is said once by failed().
     std::shared_ptr<const HeatMap> heat(const Operation& query, const Mesh& mesh);
 

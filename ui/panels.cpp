@@ -8,6 +8,7 @@
 #include "ui/panels/outliner.h"
 #include "ui/panels/painter.h"
 #include "ui/panels/properties.h"
+#include "ui/panels/records.h"
 #include "ui/panels/terrain.h"
 #include "ui/panels/timeline.h"
 #include "ui/panels/uv.h"
@@ -24,6 +25,7 @@ const std::vector<PanelEntry>& panels()
         {"modifiers", "Modifiers", "What is done to the selected mesh, in order", makeModifiersPanel},
         {"properties", "Properties", "Transform and material of the selected node", makePropertiesPanel},
         {"inspector", "Inspector", "What a mesh is, and what to fix", makeInspectorPanel},
+        {"records", "Records", "What half-edge, winged-edge and face-based structures store at the pick", makeRecordsPanel},
         {"uv", "UV", "Texture coordinates of the selected mesh, and how they stretch", makeUvPanel},
         {"history", "History", "Every edit; a click goes there", makeHistoryPanel},
         {"jobs", "Jobs", "What runs in the background", makeJobsPanel},

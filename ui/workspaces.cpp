@@ -17,7 +17,7 @@
 namespace mw {
 namespace {
 
-constexpr int layoutVersion = 3;
+constexpr int layoutVersion = 4;
 constexpr int narrowBelow = 1400;  // logical pixels; there docks share cells
 
 struct Cell {
@@ -34,11 +34,11 @@ QList<Cell> cellsOf(const QString& workspace, bool narrow)
     if (workspace == "Learn") {
         if (narrow)
             return {{left, {"lessons", "outliner", "lesson-text"}, 0, 276},
-                    {right, {"step-player", "inspector"}, 0, 340},
+                    {right, {"step-player", "records", "inspector"}, 0, 340},
                     {bottom, {"source", "plot"}, 200, 0}};
         return {{left, {"lessons", "outliner"}, 456, 292},
                 {left, {"lesson-text"}, 0, 292},
-                {right, {"step-player", "inspector"}, 0, 392},
+                {right, {"step-player", "records", "inspector"}, 0, 392},
                 {bottom, {"source"}, 250, 0},
                 {bottom, {"plot"}, 250, 368}};
     }
@@ -53,9 +53,11 @@ QList<Cell> cellsOf(const QString& workspace, bool narrow)
         return {{left, {"painter", "outliner"}, 0, 300}, {right, {"terrain", "properties"}, 462, 322}, {right, {"generators", "history"}, 0, 322}};
     }
     if (narrow)
-        return {{left, {"outliner", "history"}, 200, 276}, {left, {"inspector", "uv"}, 0, 276}, {right, {"modifiers", "properties", "jobs"}, 0, 336}};
+        return {{left, {"outliner", "history"}, 200, 276},
+                {left, {"inspector", "records", "uv"}, 0, 276},
+                {right, {"modifiers", "properties", "jobs"}, 0, 336}};
     return {{left, {"outliner"}, 214, 304},
-            {left, {"inspector", "uv"}, 0, 304},
+            {left, {"inspector", "records", "uv"}, 0, 304},
             {right, {"modifiers", "properties"}, 0, 356},
             {right, {"history", "jobs"}, 176, 356}};
 }

@@ -1,13 +1,19 @@
 // Pictures of what belongs to the window itself (welcome, every workspace, sheets, search, shortcuts) in both themes, to be looked at beside
 // the design: MESHWRIGHT_PICTURES=FOLDER tests/ui/run_xvfb.sh build/bin/ui_window_pictures [NAME...]
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QLineEdit>
 #include <QPainter>
+#include <QPushButton>
 #include <QTest>
+#include <cmath>
 #include <cstdio>
+#include <glm/geometric.hpp>
 
+#include "core/mesh/select.h"
 #include "core/scene/samples.h"
 #include "ui/actions.h"
 #include "ui/application.h"
@@ -15,6 +21,7 @@
 #include "ui/evaluation_service.h"
 #include "ui/file_commands.h"
 #include "ui/main_window.h"
+#include "ui/panels/record_tables.h"
 #include "ui/sheet.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
@@ -64,6 +71,55 @@ QAction* command(MainWindow& w, const QString& text)
     qFatal("no command %s", qPrintable(text));
 }
 
+// The Records panel at a half-edge, at the answer of a query, at a triangle-adjacency primitive.
+void shootRecords(MainWindow& w, const QString& folder)
+{
+    Document& document = w.session().document;
+    Scene scene;
+    MeshObject object;
+    object.name = "Ball";
+    object.base = std::get<Mesh>(apply(operation("damaged-sphere"), std::monostate{}, {{"subdivisions", int64_t(2)}, {"turned", 0.}}));
+    Node n;
+    n.name = "Ball";
+    n.mesh = scene.add(object);
+    const NodeId node = scene.add(n);
+    document.open(scene, {}, "New");
+    w.session().view.options.wireOverlay = true;
+    w.session().view.options.shading = Shading::Flat;
+    auto* dock = w.findChild<QDockWidget*>("dock-records");
+    dock->show();
+    dock->raise();
+    settle(w);
+    const ElementSet border = boundary(object.base, ElementKind::Edge);
+    const uint32_t vertex = border.indices[0];
+    Camera& camera = w.session().view.camera;
+    const glm::vec3 at = object.base.positions()[vertex];
+    camera.azimuth = std::atan2(at.x, at.z) + 0.3;
+    camera.elevation = std::asin(at.y / glm::length(at)) + 0.2;
+    camera.distance *= 0.45;
+    camera.target = glm::dvec3(0.6f * at);
+    w.session().view.pickKind = PickKind::Edge;
+    const ElementSet edges = converted(object.base, grown(object.base, {ElementKind::Vertex, {vertex}}), ElementKind::Edge);
+    const std::pair<RecordDrawing, int> states[] = {{RecordDrawing::Halfedge, -1},
+                                                    {RecordDrawing::WingedEdge, -1},
+                                                    {RecordDrawing::FaceBased, -1},
+                                                    {RecordDrawing::Primitive, -1},
+                                                    {RecordDrawing::Answer, 4}};
+    for (const auto& [drawing, query] : states) {
+        if (drawing == RecordDrawing::Primitive)
+            document.select(
+                {{node}, node, converted(object.base, {ElementKind::Edge, {border.indices[0], border.indices[1]}}, ElementKind::Face, true)});
+        else
+            document.select({{node}, node, {ElementKind::Edge, {edges.indices[2], edges.indices[3]}}});
+        auto* combo = w.findChild<QComboBox*>("records-drawing");
+        if (query >= 0) w.findChild<QPushButton*>(QString("records-query-%1").arg(query))->click();
+        combo->setCurrentIndex(int(drawing));
+        emit combo->activated(int(drawing));
+        settle(w);
+        shoot(w, folder, QString("records-%1").arg(int(drawing)));
+    }
+}
+
 void tour(MainWindow& w, const QString& folder, const QStringList& only)
 {
     const auto wanted = [&](const char* name) { return only.isEmpty() || only.contains(name); };
@@ -81,6 +137,7 @@ void tour(MainWindow& w, const QString& folder, const QStringList& only)
             shoot(w, folder, "workspace-" + name.toLower());
         }
     w.workspaces().change("Mesh");
+    if (wanted("records")) shootRecords(w, folder);
     if (wanted("sheets")) {
         for (const char* name : {"Search commands and settings", "Save layout as workspace...", "Export...", "Shortcuts...", "Keyboard reference"}) {
             command(w, name)->trigger();

@@ -173,6 +173,25 @@ void drawLabels(const DrawContext& c, Canvas& canvas)
     }
 }
 
+/// What the table says about the whole ("indices in strips 14"), as many of its numbers as three lines hold.
+void drawSummary(Canvas& canvas, const Table& table, glm::vec2 at, float px, int font, glm::vec4 color)
+{
+    constexpr size_t lineLength = 36, lines = 3;
+    std::string line;
+    size_t drawn = 0;
+    const auto flush = [&] {
+        if (!line.empty()) canvas.text({at.x, at.y + float(drawn++) * 14 * px}, line, font, color);
+        line.clear();
+    };
+    for (const auto& [name, value] : table.summary) {
+        const std::string entry = name + " " + tickText(value);
+        if (!line.empty() && line.size() + entry.size() + 3 > lineLength) flush();
+        if (drawn == lines) return;
+        line += (line.empty() ? "" : " \u00b7 ") + entry;
+    }
+    flush();
+}
+
 void drawLegend(const DrawContext& c, Canvas& canvas)
 {
     const HeatMap* h = c.frame.options.legend ? shownHeat(c) : nullptr;
@@ -193,7 +212,8 @@ void drawLegend(const DrawContext& c, Canvas& canvas)
     canvas.text({right, low.y + 22 * px}, perWhat(h->table->rows), small, text2, false, Canvas::Align::Right);
     const float barTop = std::round(low.y + 84 * px), barBottom = std::round(low.y + 97 * px);
     if (column.categorical) {
-        drawSwatches(canvas, seen, {left, low.y + 36 * px}, {right, barBottom}, px, small, text2);
+        drawSwatches(canvas, seen, {left, low.y + 34 * px}, {right, low.y + 64 * px}, px, small, text2);
+        drawSummary(canvas, *h->table, {left, low.y + 98 * px}, px, int(std::lround(11 * px)), text2);
         return;
     }
     drawBars(canvas, {left, low.y + 34 * px}, {right, barTop - 2 * px}, seen.bars, glm::vec4(theme.bars, 1), px);

@@ -93,6 +93,10 @@ void Actions::makeSelectElements()
     };
     add(growths, "Grow", "Ctrl++; Ctrl+=", "Take in the next ring of elements",
         [](const Mesh& m, const ElementSet& s, Progress&) { return grown(m, s); });
+    add(growths, "One-ring", "", "The elements around the selection, without it",
+        [](const Mesh& m, const ElementSet& s, Progress&) { return without(grown(m, s), s); });
+    add(growths, "Two-ring", "", "The elements around the selection and those around them, without it",
+        [](const Mesh& m, const ElementSet& s, Progress&) { return without(grown(m, grown(m, s)), s); });
     add(growths, "Shrink", "Ctrl+-", "Leave out the outermost ring", [](const Mesh& m, const ElementSet& s, Progress&) { return shrunk(m, s); });
     add(growths, "Connected", "Shift+L", "Everything that hangs together with the selection",
         [](const Mesh& m, const ElementSet& s, Progress&) { return connected(m, s); });

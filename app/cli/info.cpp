@@ -39,6 +39,13 @@ nlohmann::json point(const glm::dvec3& p)
     return {finite(p.x), finite(p.y), finite(p.z)};
 }
 
+size_t sum(const std::map<size_t, size_t>& counts)
+{
+    size_t all = 0;
+    for (const auto& [value, n] : counts) all += value * n;
+    return all;
+}
+
 nlohmann::json histogram(const std::map<size_t, size_t>& counts)
 {
     nlohmann::json out = nlohmann::json::object();
@@ -70,6 +77,9 @@ nlohmann::json meshJson(const MeshInfo& info)
             {"closed", r.closed},
             {"valence_histogram", histogram(r.vertexValences)},
             {"face_sizes", histogram(r.faceSizes)},
+            {"valence_sum", sum(r.vertexValences)},
+            {"face_size_sum", sum(r.faceSizes)},
+            {"regular_vertices", r.regularVertices},
             {"bounds", {{"min", point(b.min)}, {"max", point(b.max)}}},
             {"area", finite(surfaceArea(info.mesh))},
             {"volume", finite(enclosedVolume(info.mesh))},
@@ -181,7 +191,7 @@ void printTopology(const Mesh& mesh, const TopologyReport& r)
         for (const auto& [v, n] : r.vertexValences)
             if (v > 0 && n > most) most = n, valence = v;
         std::cout << ", " << shown(100.0 * double(r.regularVertices) / double(std::max<size_t>(1, r.vertices - r.isolatedVertices.size())))
-                  << " % of the vertices regular, most of valence " << valence << '\n';
+                  << " % of the vertices regular, most of valence " << valence << "; the valences add up to " << sum(r.vertexValences) << '\n';
     }
     if (const Bounds b = mesh.bounds(); !b.empty) {
         const glm::dvec3 s = b.size();

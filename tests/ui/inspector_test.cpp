@@ -312,6 +312,9 @@ void InspectorTest::aBarSelectsItsVertices()
     }
     QTRY_VERIFY(d.document.selection().elements.kind == ElementKind::Vertex && !d.document.selection().elements.indices.empty());
     QCOMPARE(d.document.selection().elements.indices.size(), valences.at(6));
+    QVERIFY(d.row(QString("The valences add up to %1: every edge counts at both its ends, 2 × %2.")
+                      .arg(QLocale().toString(qulonglong(2 * topologyOf(mesh).edges)), QLocale().toString(qulonglong(topologyOf(mesh).edges)))));
+    QVERIFY(d.row("Corners of faces"));
 }
 
 void InspectorTest::withoutAMeshItSaysSo()

@@ -142,6 +142,7 @@ Inspection inspect(const Mesh& mesh, bool everything, Progress* progress)
     i.edges = r.edges, i.faces = r.faces, i.components = r.components;
     i.euler = r.euler, i.genus = r.genus;
     i.valences = r.vertexValences;
+    i.faceSizes = r.faceSizes;
     i.regular = i.vertices ? double(r.regularVertices) / double(i.vertices) : 0;
     for (const Defect& d : defects) i.findings.push_back(findingOf(d));
     if (!options.selfIntersections) i.findings.push_back(unmeasuredIntersections());
@@ -172,6 +173,14 @@ ElementSet verticesOfValence(const Mesh& mesh, size_t valence, bool orMore)
         const size_t n = rings.neighboursOf(v).size();
         if (n > 0 && (orMore ? n >= valence : n == valence)) s.indices.push_back(v);
     }
+    return s;
+}
+
+ElementSet facesOfSize(const Mesh& mesh, size_t corners, bool orMore)
+{
+    ElementSet s{ElementKind::Face, {}};
+    for (uint32_t f = 0; f < mesh.faceCount(); ++f)
+        if (const size_t n = mesh.face(f).size(); orMore ? n >= corners : n == corners) s.indices.push_back(f);
     return s;
 }
 

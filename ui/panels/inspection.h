@@ -50,7 +50,7 @@ struct Inspection {
     long euler = 0;
     std::optional<long> genus;
     std::vector<Finding> findings;  ///< to fix, worst first; then those not measured; then those that passed
-    std::map<size_t, size_t> valences;
+    std::map<size_t, size_t> valences, faceSizes;
     double regular = 0;  ///< share of the vertices that have the usual valence
 
     size_t toFix() const;
@@ -66,5 +66,6 @@ Inspection inspect(const Mesh& mesh, bool everything = false, Progress* progress
 Bounds boundsOf(const Mesh& mesh, const ElementSet& elements);
 /// Vertices that have this many edges.
 ElementSet verticesOfValence(const Mesh& mesh, size_t valence, bool orMore);
+ElementSet facesOfSize(const Mesh& mesh, size_t corners, bool orMore);
 
 }  // namespace mw

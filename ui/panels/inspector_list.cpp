@@ -51,6 +51,7 @@ void Inspector::fill()
     const QString passed = look::counted(good, tr("check"), tr("checks"));
     add(bad == 0 && open == 0 ? tr("Nothing to fix") : tr("Passed"), bad == 0 && open == 0 ? tr("%1 passed").arg(passed) : passed, bad + open, good);
     addValence();
+    addFaceSizes();
 }
 
 QTreeWidgetItem* Inspector::section(const QString& title, const QString& figure)
@@ -165,12 +166,33 @@ void Inspector::addValence()
 {
     QTreeWidgetItem* s = section(tr("Valence"), tr("%1 % regular").arg(int(std::round(100 * shown_->regular))));
     s->setToolTip(0, tr("Edges at a vertex. Regular: 6 inside a triangle mesh, 4 on its boundary; 4 and 3 where there are other faces."));
-    auto* row = new QTreeWidgetItem(s);
+    addHistogram(s, ElementKind::Vertex);
+    size_t sum = 0;
+    for (const auto& [valence, n] : shown_->valences) sum += valence * n;
+    addSentence(s, tr("The valences add up to %1: every edge counts at both its ends, 2 × %2.").arg(look::count(sum), look::count(shown_->edges)));
+}
+
+void Inspector::addFaceSizes()
+{
+    size_t sum = 0;
+    for (const auto& [corners, n] : shown_->faceSizes) sum += corners * n;
+    if (sum == 0) return;
+    const bool triangles = shown_->faceSizes.size() == 1 && shown_->faceSizes.begin()->first == 3;
+    QTreeWidgetItem* s = section(tr("Corners of faces"), triangles ? tr("all triangles") : QString());
+    s->setToolTip(0, tr("Vertices of a face, which is also the number of its edges."));
+    if (!triangles) addHistogram(s, ElementKind::Face);
+    addSentence(s, tr("They add up to %1: as many half-edges have a face.").arg(look::count(sum)));
+}
+
+void Inspector::addHistogram(QTreeWidgetItem* section, ElementKind kind)
+{
+    auto* row = new QTreeWidgetItem(section);
     row->setFlags(Qt::ItemIsEnabled);
     row->setFirstColumnSpanned(true);
     auto* h = new ValenceHistogram(tree_);
-    h->setValences(shown_->valences);
-    connect(h, &ValenceHistogram::barClicked, this, &Inspector::selectValence);
+    if (kind == ElementKind::Face) h->setFaces();
+    h->setValences(kind == ElementKind::Face ? shown_->faceSizes : shown_->valences);
+    connect(h, &ValenceHistogram::barClicked, this, [this, kind](size_t number, bool orMore) { selectCounted(kind, number, orMore); });
     tree_->setItemWidget(row, 0, h);
     row->setSizeHint(0, h->sizeHint());
 }
@@ -210,11 +232,13 @@ void Inspector::selectionChanged()
     session_.view.touch();
 }
 
-void Inspector::selectValence(size_t valence, bool orMore)
+void Inspector::selectCounted(ElementKind kind, size_t number, bool orMore)
 {
     QPointer<Inspector> self(this);
-    session_.jobs.start(tr("Select vertices of valence %1").arg(valence), [self, valence, orMore, mesh = shown_->mesh](Progress&) {
-        auto found = std::make_shared<const ElementSet>(verticesOfValence(mesh, valence, orMore));
+    const QString name = kind == ElementKind::Face ? tr("Select faces of %1 corners") : tr("Select vertices of valence %1");
+    session_.jobs.start(name.arg(number), [self, kind, number, orMore, mesh = shown_->mesh](Progress&) {
+        auto found = std::make_shared<const ElementSet>(kind == ElementKind::Face ? facesOfSize(mesh, number, orMore)
+                                                                                  : verticesOfValence(mesh, number, orMore));
         return std::function<void()>([self, found] {
             if (self) self->select(*found);
         });

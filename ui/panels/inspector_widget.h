@@ -50,11 +50,13 @@ private:
     void addRepairAll(QTreeWidgetItem* section);
     void strike(QTreeWidgetItem* row);
     void addValence();
+    void addFaceSizes();
+    void addHistogram(QTreeWidgetItem* section, ElementKind kind);
     void showMessage(const QString& text, const QString& button);
 
     const ElementSet* elementsOf(const QTreeWidgetItem* row) const;
     void select(const ElementSet& elements);
-    void selectValence(size_t valence, bool orMore);
+    void selectCounted(ElementKind kind, size_t number, bool orMore);
     void frame(const QTreeWidgetItem* row);
     void flash(const QTreeWidgetItem* row);
     void repair(const std::vector<Mending>& mendings, const std::set<QString>& findings);

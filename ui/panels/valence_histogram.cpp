@@ -42,13 +42,17 @@ void ValenceHistogram::setValences(const std::map<size_t, size_t>& valences)
     update();
 }
 
+void ValenceHistogram::setFaces()
+{
+    faces_ = true;
+    setAccessibleName(tr("Faces by number of corners"));
+}
+
 QString ValenceHistogram::textOf(int i) const
 {
     const Bar& b = bars_[size_t(i)];
-    return tr("%1 of valence %2%3")
-        .arg(look::counted(b.count, tr("vertex"), tr("vertices")))
-        .arg(b.valence)
-        .arg(b.orMore ? tr(" or more") : QString());
+    const QString count = faces_ ? look::counted(b.count, tr("face"), tr("faces")) : look::counted(b.count, tr("vertex"), tr("vertices"));
+    return (faces_ ? tr("%1 of %2%3 corners") : tr("%1 of valence %2%3")).arg(count).arg(b.valence).arg(b.orMore ? tr(" or more") : QString());
 }
 
 QRect ValenceHistogram::barCell(int i) const

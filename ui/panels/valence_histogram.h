@@ -1,4 +1,4 @@
-// A histogram of vertex valences; a bar is a link to the vertices it counts.
+// A histogram of vertex valences, or of face sizes; a bar is a link to the elements it counts.
 #pragma once
 #include <QWidget>
 #include <map>
@@ -12,6 +12,7 @@ class ValenceHistogram : public QWidget {
 public:
     explicit ValenceHistogram(QWidget* parent = nullptr);
     void setValences(const std::map<size_t, size_t>& valences);
+    void setFaces();  ///< it counts faces by their number of vertices; call it first
     struct Bar {
         size_t valence, count;
         bool orMore;
@@ -34,6 +35,7 @@ private:
     int barAt(QPoint p) const;
     QString textOf(int i) const;
     std::vector<Bar> bars_;
+    bool faces_ = false;
     int hovered_ = -1, current_ = 0;
 };
 

@@ -117,6 +117,27 @@ void expectMerged(const Mesh& mesh, const std::string& notes)
     EXPECT_EQ(r.nonmanifoldVertices.size(), noted(rest, "vertices with >1 fan"));
 }
 
+/// Every edge is counted at both its ends, every corner in its face; the Euler characteristic is that of the counts and, of closed surfaces, of the
+/// genus: V - E + F = 2 (c - g) - b.
+void expectSums(const Mesh& mesh, const TopologyReport& r)
+{
+    size_t valences = 0, corners = 0, joined = 0;
+    for (const auto& [valence, n] : r.vertexValences) {
+        valences += valence * n;
+        joined += valence > 0 ? n : 0;
+    }
+    for (const auto& [size, n] : r.faceSizes) corners += size * n;
+    EXPECT_EQ(valences, 2 * r.edges);
+    EXPECT_EQ(corners, mesh.cornerCount());
+    EXPECT_EQ(r.euler, long(joined) - long(r.edges) + long(r.faces - r.degenerateFaces.size()));
+    if (r.genus) {
+        EXPECT_EQ(r.euler, 2 * (long(r.components) - *r.genus) - long(r.boundaryLoops.size()));
+    }
+    if (r.closed && r.manifold() && mesh.isTriangles() && r.degenerateFaces.empty()) {
+        EXPECT_EQ(2 * r.edges, 3 * r.faces);
+    }
+}
+
 void expectStrips(const Mesh& mesh)
 {
     RunOf<Table> run(false, [&](Stage<Table>& s) { return stripify(mesh, {}, s); });
@@ -156,6 +177,7 @@ TEST(DataTable, EveryMeshHasItsFigures)
         EXPECT_EQ(genusText(r), row.genus.substr(0, row.genus.find(" (sum)")));
         EXPECT_EQ(r.manifold() ? "yes" : "no", row.manifold);
         expectNotes(r, stored);
+        expectSums(mesh, r);
         expectMerged(mesh, row.notes);
         expectStrips(mesh);
         EXPECT_EQ(mesh.halfedges().degenerateFaces, r.degenerateFaces.size());

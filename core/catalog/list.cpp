@@ -25,6 +25,7 @@
 #include "core/metrics/vertex_planarity.h"
 #include "core/metrics/vertex_quadric.h"
 #include "core/parameterize/embed_planar.h"
+#include "core/morph/morph.h"
 #include "core/repair/damaged_sphere.h"
 #include "core/repair/fill_holes.h"
 #include "core/repair/normalise.h"
@@ -414,6 +415,15 @@ std::span<const Operation> catalog()
                .attributes = {Carried::Same, Carried::Same, Carried::Same},
                .source = "core/repair/smooth.cpp"},
               smooth),
+        entry<Mesh, Morph, Mesh>({.id = "morph",
+                                  .title = "Morph",
+                                  .section = "3.4",
+                                  .summary = "Gives the mesh another one to turn into, as a morph target that the timeline plays.",
+                                  .category = "Morph",
+                                  .steps = true,
+                                  .attributes = {Carried::Surface, Carried::Surface, Carried::Gathered},
+                                  .source = "core/morph/morph.cpp"},
+                                 morph),
         entry({.id = "diamond-square",
                .title = "Diamond-square",
                .section = "5.3",

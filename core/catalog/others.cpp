@@ -23,6 +23,7 @@ Others othersOf(const Operation& op, const ParameterValues& values, const FindMe
     for (const Parameter& p : op.parameters) {
         if (p.type != ParameterType::Object) continue;
         const std::string name = std::get<std::string>(valueOf(p, values));
+        if (name.empty() && p.about.optional) continue;
         if (name.empty()) throw Error(op.id + " needs another mesh: give its node, its file or a source (\"torus\") as " + p.name);
         std::optional<Mesh> mesh = find ? find(name) : std::nullopt;
         if (!mesh) mesh = meshOfSource(name, progress);

@@ -38,6 +38,7 @@ struct About {
     double softMin = std::numeric_limits<double>::quiet_NaN(), softMax = std::numeric_limits<double>::quiet_NaN();
     bool logarithmic = false, advanced = false;
     std::string when = {};  ///< "stop=ratio": shown only while that choice holds (still accepted otherwise)
+    bool optional = false;  ///< objects: may be left empty
 };
 
 struct Parameter {

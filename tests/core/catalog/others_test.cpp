@@ -49,8 +49,10 @@ TEST(Others, ComeFromTheCallerThenFromSources)
 
 TEST(Others, SayWhatIsMissing)
 {
-    const Operation op = exchanging();
+    Operation op = exchanging();
     EXPECT_THROW(othersOf(op, {}), Error) << "none named";
+    for (Parameter& p : op.parameters) p.about.optional = true;
+    EXPECT_TRUE(othersOf(op, {}).empty()) << "it can do without";
     EXPECT_THROW(othersOf(op, {{"other", std::string("nowhere")}}), Error);
     EXPECT_THROW(othersOf(op, {{"other", std::string("smooth")}}), Error) << "no source";
     EXPECT_THROW(othersOf(op, {{"other", std::string("icosphere:subdivisions=99")}}), Error);

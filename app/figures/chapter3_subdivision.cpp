@@ -293,14 +293,15 @@ void sqrt3(Page& page)
     page.numbers("valences after one", newValences);
 }
 
-/// A vertex inside with four quads round it that faces the viewer.
-uint32_t goodVertex(const Mesh& mesh)
+/// Of the vertices with four quads round them that face the viewer, the one that an update moves most.
+uint32_t goodVertex(const Mesh& mesh, const Array<glm::vec3>& updated)
 {
     uint32_t best = 0;
-    double most = -2;
+    double most = -1;
     for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
         if (mesh.rings().neighboursOf(v).size() != 4) continue;
-        const double d = glm::dot(glm::dvec3(mesh.vertexNormals()[v]), glm::normalize(glm::dvec3(0.8, 0.9, 0.5)));
+        if (glm::dot(glm::dvec3(mesh.vertexNormals()[v]), glm::normalize(glm::dvec3(0.8, 0.9, 0.5))) < 0.5) continue;
+        const double d = glm::distance(glm::dvec3(updated[v]), glm::dvec3(mesh.positions()[v]));
         if (d > most) most = d, best = v;
     }
     return best;
@@ -309,13 +310,13 @@ uint32_t goodVertex(const Mesh& mesh)
 void catmullSteps(Page& page)
 {
     const Mesh cow = cow4();
-    const uint32_t v = goodVertex(cow);
     const CatmullLevel level = CatmullLevel::of(cow, {}, false);
     const Array<glm::vec3> old(cow.positions().begin(), cow.positions().end());
     CatmullPoints next(level, old);
     next.faces(0, level.faces());
     next.edges(0, level.edges.size());
     next.vertices();
+    const uint32_t v = goodVertex(cow, next.points);
     KeptElements kept(cow);
     for (size_t f = 0; f < cow.faceCount(); ++f) kept.faces[f] = std::find(cow.face(f).begin(), cow.face(f).end(), v) != cow.face(f).end();
     const Mesh near = submesh(cow, kept);
@@ -330,32 +331,43 @@ void catmullSteps(Page& page)
         s.put(submesh(near, used));
         return s;
     };
-    const auto facePoints = [&](Space& s) {
+    // The edge whose parts are named: from the vertex, A, to B.
+    uint32_t named = none;
+    for (uint32_t e = 0; e < level.edges.size() && named == none; ++e)
+        if (level.edges[e].a == v || level.edges[e].b == v) named = e;
+    const CatmullLevel::Edge& edge = level.edges[named];
+    const uint32_t other = edge.a == v ? edge.b : edge.a;
+    const auto facePoint = [&](uint32_t f) { return next.points[cow.vertexCount() + level.edges.size() + f]; };
+    const auto facePoints = [&](Space& s, const char* first, const char* second) {
         for (uint32_t f = 0; f < cow.faceCount(); ++f)
-            if (kept.faces[f]) s.disc(next.points[cow.vertexCount() + level.edges.size() + f], page.ink(Ink::New), 11);
+            if (kept.faces[f]) s.disc(facePoint(f), page.ink(Ink::New), 11);
+        s.label(facePoint(edge.f), first, page.ink(Ink::New));
+        if (second) s.label(facePoint(edge.g), second, page.ink(Ink::New));
     };
-    const auto edgePoints = [&](Space& s, bool labels) {
-        for (uint32_t e = 0; e < level.edges.size(); ++e) {
-            const CatmullLevel::Edge& k = level.edges[e];
-            if (k.a != v && k.b != v) continue;
-            s.disc(next.points[cow.vertexCount() + e], page.ink(Ink::Neighbour), 11);
-            if (labels) s.label(next.points[cow.vertexCount() + e], "v\u2091", page.ink(Ink::Neighbour));
-            labels = false;
-        }
+    const auto edgePoints = [&](Space& s, bool withName) {
+        for (uint32_t e = 0; e < level.edges.size(); ++e)
+            if (level.edges[e].a == v || level.edges[e].b == v) s.disc(next.points[cow.vertexCount() + e], page.ink(Ink::Neighbour), 11);
+        if (withName) s.label(next.points[cow.vertexCount() + named], "ve", page.ink(Ink::Neighbour));
     };
     const double spread = glm::distance(glm::dvec3(next.points[v]), glm::dvec3(old[v]));
     Space& a = panel("new face points");
-    facePoints(a);
+    facePoints(a, "vf", nullptr);
     a.disc(old[v], page.ink(Ink::Text), 11);
     Space& b = panel("new edge points");
-    facePoints(b);
+    facePoints(b, "vf", "vg");
     edgePoints(b, true);
-    b.disc(old[v], page.ink(Ink::Text), 11);
+    for (const uint32_t end : {v, other}) {
+        b.disc(old[end], page.ink(Ink::Text), 11);
+        b.label(old[end], end == v ? "vA" : "vB", page.ink(Ink::Text));
+    }
     Space& c = panel("the vertex updated");
-    facePoints(c);
+    facePoints(c, "vfi", nullptr);
     edgePoints(c, false);
     c.disc(old[v], page.ink(Ink::Text), 11);
+    c.disc(old[other], page.ink(Ink::Text), 11);
+    c.label(old[other], "vi", page.ink(Ink::Text));
     c.disc(next.points[v], page.ink(Ink::Focus), 11);
+    c.label(next.points[v], "v", page.ink(Ink::Focus));
     a.key(page.ink(Ink::Text), "current vertex").key(page.ink(Ink::New), "new face point");
     b.key(page.ink(Ink::Neighbour), "new edge point");
     c.key(page.ink(Ink::Focus), "updated vertex");

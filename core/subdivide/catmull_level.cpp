@@ -67,10 +67,10 @@ CatmullLevel CatmullLevel::refined(bool last) const
     CatmullLevel n;
     const uint32_t v = uint32_t(vertices), e2 = 2 * uint32_t(edges.size()), centre = v + uint32_t(edges.size());
     n.vertices = vertices + edges.size() + faces();
-    n.vertex.resize(4 * vertex.size());
+    n.vertex = lanes::largeArray<uint32_t>(4 * vertex.size());
     if (!last) {
-        n.half.resize(4 * vertex.size());
-        n.edges.resize(2 * edges.size() + vertex.size());
+        n.half = lanes::largeArray<uint32_t>(4 * vertex.size());
+        n.edges = lanes::largeArray<Edge>(2 * edges.size() + vertex.size());
         for (size_t e = 0; e < edges.size(); ++e) {
             const uint32_t middle = v + uint32_t(e);
             n.edges[2 * e] = {edges[e].a, middle, 0, 0};
@@ -106,53 +106,103 @@ CatmullLevel CatmullLevel::refined(bool last) const
     return n;
 }
 
+size_t CatmullLevel::bytes() const
+{
+    return edges.size() * sizeof(Edge) + 4 * (faceStart.size() + vertex.size() + half.size()) + creases.size() * sizeof(SharpVertex) +
+           sharp.size() * sizeof(SharpEdge) + irregular.size() * sizeof(Irregular) + 4 * fixed.size();
+}
+
+namespace {
+
+MW_LOOP_FOR_EACH_MACHINE
+void quadPoints(const uint32_t* corner, const uint32_t* end, const glm::vec3* old, glm::vec3* out, lanes::Sum* ring)
+{
+    for (; corner != end; corner += 4, ++out) {
+        MW_LANES(a, old[corner[0]])
+        MW_LANES(b, old[corner[1]])
+        MW_LANES(c, old[corner[2]])
+        MW_LANES(d, old[corner[3]])
+        const lanes::Doubles p = 0.25 * ((MW_DOUBLES(a) + MW_DOUBLES(b)) + (MW_DOUBLES(c) + MW_DOUBLES(d)));
+        const lanes::Floats rounded = MW_FLOATS(p);
+        MW_PUT_POINT(*out, p)
+        for (int k = 0; k < 4; ++k) ring[corner[k]].v += rounded;
+    }
+}
+
+MW_LOOP_FOR_EACH_MACHINE
+void edgePoints(const CatmullLevel::Edge* edge, const CatmullLevel::Edge* end, const glm::vec3* old, const glm::vec3* centre, glm::vec3* out,
+                lanes::Sum* ring)
+{
+    for (; edge != end; ++edge, ++out) {
+        MW_LANES(a, old[edge->a])
+        MW_LANES(b, old[edge->b])
+        MW_LANES(f, centre[edge->f])
+        MW_LANES(g, centre[edge->g])
+        MW_PUT_POINT(*out, 0.25 * ((MW_DOUBLES(a) + MW_DOUBLES(b)) + (MW_DOUBLES(f) + MW_DOUBLES(g))))
+        ring[edge->a].v += b;
+        ring[edge->b].v += a;
+    }
+}
+
+MW_LOOP_FOR_EACH_MACHINE
+void regularVertices(size_t n, const glm::vec3* old, const lanes::Sum* ring, glm::vec3* out)
+{
+    for (size_t v = 0; v < n; ++v) {
+        MW_LANES(p, old[v])
+        MW_PUT_POINT(out[v], 0.5 * MW_DOUBLES(p) + 0.0625 * MW_DOUBLES(ring[v].v))
+    }
+}
+
+}  // namespace
+
 CatmullPoints::CatmullPoints(const CatmullLevel& level, const Array<glm::vec3>& old)
-    : points(level.vertices + level.edges.size() + level.faces()), level_(level), old_(old), ring_(level.vertices, glm::dvec3(0))
+    : points(lanes::paddedPoints(level.vertices + level.edges.size() + level.faces())),
+      level_(level),
+      old_(old),
+      ring_(lanes::zeroSums(level.vertices))
 {}
 
 void CatmullPoints::faces(size_t first, size_t end)
 {
     glm::vec3* out = points.data() + level_.vertices + level_.edges.size();
-    const auto polygon = [&](size_t f, const uint32_t* v, size_t n) {
-        glm::dvec3 sum(0);
-        for (size_t k = 0; k < n; ++k) sum += glm::dvec3(old_[v[k]]);
-        sum /= double(n);
-        out[f] = glm::vec3(sum);
-        for (size_t k = 0; k < n; ++k) ring_[v[k]] += sum;
-    };
-    const uint32_t* v = level_.vertex.data();
-    if (level_.faceStart.empty())
-        for (size_t f = first; f < end; ++f) polygon(f, v + 4 * f, 4);
-    else
-        for (size_t f = first; f < end; ++f) polygon(f, v + level_.faceStart[f], level_.faceStart[f + 1] - level_.faceStart[f]);
+    const uint32_t* corner = level_.vertex.data();
+    if (level_.faceStart.empty()) {
+        quadPoints(corner + 4 * first, corner + 4 * end, old_.data(), out + first, ring_.data());
+        return;
+    }
+    for (size_t f = first; f < end; ++f) {
+        lanes::Doubles sum{};
+        const uint32_t from = level_.faceStart[f], to = level_.faceStart[f + 1];
+        for (uint32_t c = from; c < to; ++c) {
+            MW_LANES(p, old_.data()[corner[c]])
+            sum += MW_DOUBLES(p);
+        }
+        sum /= double(to - from);
+        MW_PUT_POINT(out[f], sum)
+        for (uint32_t c = from; c < to; ++c) ring_[corner[c]].v += MW_FLOATS(sum);
+    }
 }
 
 void CatmullPoints::edges(size_t first, size_t end)
 {
     glm::vec3* out = points.data() + level_.vertices;
-    const glm::vec3* centre = out + level_.edges.size();
-    for (size_t e = first; e < end; ++e) {
-        const CatmullLevel::Edge& k = level_.edges[e];
-        const glm::dvec3 a(old_[k.a]), b(old_[k.b]);
-        out[e] = glm::vec3(0.25 * (a + b + glm::dvec3(centre[k.f]) + glm::dvec3(centre[k.g])));
-        ring_[k.a] += b;
-        ring_[k.b] += a;
-    }
+    edgePoints(level_.edges.data() + first, level_.edges.data() + end, old_.data(), out + level_.edges.size(), out + first, ring_.data());
 }
 
 // All by the regular mask, without a branch; the few that differ are done over.
 void CatmullPoints::vertices()
 {
-    for (size_t v = 0; v < level_.vertices; ++v) points[v] = glm::vec3(0.5 * glm::dvec3(old_[v]) + 0.0625 * ring_[v]);
+    const Array<glm::vec3>& old = old_.points();
+    regularVertices(level_.vertices, old_.data(), ring_.data(), points.data());
     for (const CatmullLevel::Irregular& i : level_.irregular) {
         const double w = ringWeight(i);
-        points[i.vertex] = glm::vec3((1 - double(i.edges + i.faces) * w) * glm::dvec3(old_[i.vertex]) + w * ring_[i.vertex]);
+        points[i.vertex] = glm::vec3((1 - double(i.edges + i.faces) * w) * glm::dvec3(old[i.vertex]) + w * ring_[i.vertex].point());
     }
     for (const SharpEdge& s : level_.sharp) {
         const CatmullLevel::Edge& k = level_.edges[s.edge];
-        applySharp(s.sharpness, {k.a, k.b}, old_, points[level_.vertices + s.edge]);
+        applySharp(s.sharpness, {k.a, k.b}, old, points[level_.vertices + s.edge]);
     }
-    for (const SharpVertex& s : level_.creases) applySharp(s, old_, points[s.vertex]);
+    for (const SharpVertex& s : level_.creases) applySharp(s, old, points[s.vertex]);
 }
 
 namespace {

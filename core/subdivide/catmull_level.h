@@ -2,6 +2,7 @@
 #pragma once
 #include "core/mesh/mesh.h"
 #include "core/subdivide/face_edges.h"
+#include "core/subdivide/lanes.h"
 
 namespace mw {
 
@@ -27,6 +28,9 @@ struct CatmullLevel {
 
     size_t faces() const { return faceStart.empty() ? vertex.size() / 4 : faceStart.size() - 1; }
     uint32_t firstCorner(size_t f) const { return faceStart.empty() ? uint32_t(4 * f) : faceStart[f]; }
+    /// Without what only refining needs: half-edges.
+    void keepForPoints() { half = {}; }
+    size_t bytes() const;
     /// Finds the edges. Every face has three corners or more. `crease` by corner, or empty; `lasting` as faceEdgesOf.
     static CatmullLevel of(const Mesh& mesh, std::span<const float> crease, bool sharpCorners, float lasting = 1);
     /// The next level, of quads; without half-edges and edges if it is the last one.
@@ -45,8 +49,8 @@ public:
 
 private:
     const CatmullLevel& level_;
-    const Array<glm::vec3>& old_;
-    Array<glm::dvec3> ring_;  // sum of the neighbours of each vertex and of the points of its faces
+    lanes::PaddedView old_;
+    Array<lanes::Sum> ring_;  // sum of the neighbours of each vertex and of the points of its faces
 };
 
 /// The same as rows, for attributes. The first source of a vertex is itself.

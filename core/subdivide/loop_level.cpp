@@ -43,10 +43,10 @@ LoopLevel LoopLevel::refined(bool last) const
     LoopLevel n;
     const uint32_t v = uint32_t(vertices), e2 = 2 * uint32_t(edges.size());
     n.vertices = vertices + edges.size();
-    n.vertex.resize(4 * vertex.size());
+    n.vertex = lanes::largeArray<uint32_t>(4 * vertex.size());
     if (!last) {
-        n.half.resize(4 * vertex.size());
-        n.edges.resize(2 * edges.size() + vertex.size());
+        n.half = lanes::largeArray<uint32_t>(4 * vertex.size());
+        n.edges = lanes::largeArray<Edge>(2 * edges.size() + vertex.size());
         n.irregular = irregular;
         n.fixed = fixed;
         n.sharp = faded(sharp);
@@ -82,35 +82,71 @@ LoopLevel LoopLevel::refined(bool last) const
     return n;
 }
 
+void LoopLevel::keepForPoints()
+{
+    vertex = half = {};
+}
+
+size_t LoopLevel::bytes() const
+{
+    return edges.size() * sizeof(Edge) + 4 * (vertex.size() + half.size()) + creases.size() * sizeof(SharpVertex) + sharp.size() * sizeof(SharpEdge) +
+           irregular.size() * sizeof(irregular[0]) + 4 * fixed.size();
+}
+
+namespace {
+
+MW_LOOP_FOR_EACH_MACHINE
+void edgePoints(const LoopLevel::Edge* edge, const LoopLevel::Edge* end, const glm::vec3* old, glm::vec3* out, lanes::Sum* ring)
+{
+    for (; edge != end; ++edge, ++out) {
+        MW_LANES(a, old[edge->a])
+        MW_LANES(b, old[edge->b])
+        MW_LANES(c, old[edge->c])
+        MW_LANES(d, old[edge->d])
+        MW_PUT_POINT(*out, 0.375 * (MW_DOUBLES(a) + MW_DOUBLES(b)) + 0.125 * (MW_DOUBLES(c) + MW_DOUBLES(d)))
+        ring[edge->a].v += b;
+        ring[edge->b].v += a;
+    }
+}
+
+MW_LOOP_FOR_EACH_MACHINE
+void regularVertices(size_t n, const glm::vec3* old, const lanes::Sum* ring, glm::vec3* out)
+{
+    for (size_t v = 0; v < n; ++v) {
+        MW_LANES(p, old[v])
+        MW_PUT_POINT(out[v], 0.625 * MW_DOUBLES(p) + 0.0625 * MW_DOUBLES(ring[v].v))
+    }
+}
+
+}  // namespace
+
 LoopPoints::LoopPoints(const LoopLevel& level, const Array<glm::vec3>& old, SubdivideLoop::Weights weights)
-    : points(level.vertices + level.edges.size()), level_(level), old_(old), weights_(weights), ring_(level.vertices, glm::dvec3(0))
+    : points(lanes::paddedPoints(level.vertices + level.edges.size())),
+      level_(level),
+      old_(old),
+      weights_(weights),
+      ring_(lanes::zeroSums(level.vertices))
 {}
 
 void LoopPoints::edges(size_t first, size_t end)
 {
-    glm::vec3* out = points.data() + level_.vertices;
-    for (size_t e = first; e < end; ++e) {
-        const LoopLevel::Edge& k = level_.edges[e];
-        const glm::dvec3 a(old_[k.a]), b(old_[k.b]);
-        out[e] = glm::vec3(0.375 * (a + b) + 0.125 * (glm::dvec3(old_[k.c]) + glm::dvec3(old_[k.d])));
-        ring_[k.a] += b;
-        ring_[k.b] += a;
-    }
+    edgePoints(level_.edges.data() + first, level_.edges.data() + end, old_.data(), points.data() + level_.vertices + first, ring_.data());
 }
 
 // All by the regular mask, without a branch; the few that differ are done over.
 void LoopPoints::vertices()
 {
-    for (size_t v = 0; v < level_.vertices; ++v) points[v] = glm::vec3(0.625 * glm::dvec3(old_[v]) + 0.0625 * ring_[v]);
+    const Array<glm::vec3>& old = old_.points();
+    regularVertices(level_.vertices, old_.data(), ring_.data(), points.data());
     for (const auto& [v, n] : level_.irregular) {
         const double w = loopWeight(weights_, n);
-        points[v] = glm::vec3((1 - double(n) * w) * glm::dvec3(old_[v]) + w * ring_[v]);
+        points[v] = glm::vec3((1 - double(n) * w) * glm::dvec3(old[v]) + w * ring_[v].point());
     }
     for (const SharpEdge& s : level_.sharp) {
         const LoopLevel::Edge& k = level_.edges[s.edge];
-        applySharp(s.sharpness, {k.a, k.b}, old_, points[level_.vertices + s.edge]);
+        applySharp(s.sharpness, {k.a, k.b}, old, points[level_.vertices + s.edge]);
     }
-    for (const SharpVertex& s : level_.creases) applySharp(s, old_, points[s.vertex]);
+    for (const SharpVertex& s : level_.creases) applySharp(s, old, points[s.vertex]);
 }
 
 double loopWeight(SubdivideLoop::Weights weights, size_t n)

@@ -5,6 +5,7 @@
 
 #include "core/mesh/mesh.h"
 #include "core/subdivide/face_edges.h"
+#include "core/subdivide/lanes.h"
 #include "core/subdivide/subdivide_loop.h"
 
 namespace mw {
@@ -31,6 +32,9 @@ struct LoopLevel {
     std::vector<uint32_t> fixed;                           ///< vertices that stay whatever their edges say
 
     size_t faces() const { return vertex.size() / 3; }
+    /// Without what only refining needs: half-edges and corners.
+    void keepForPoints();
+    size_t bytes() const;
     /// Finds the edges of a triangle mesh. `crease` by corner, or empty; `lasting` as faceEdgesOf.
     static LoopLevel of(const Mesh& triangles, std::span<const float> crease, SubdivideLoop::Corners corners, float lasting = 1);
     /// The next level; without half-edges and edges if it is the last one.
@@ -48,9 +52,9 @@ public:
 
 private:
     const LoopLevel& level_;
-    const Array<glm::vec3>& old_;
+    lanes::PaddedView old_;
     SubdivideLoop::Weights weights_;
-    Array<glm::dvec3> ring_;  // sum of the neighbours of each vertex
+    Array<lanes::Sum> ring_;  // of the neighbours of each vertex
 };
 
 /// The same as rows, for attributes. The first source of a vertex is itself.

@@ -9,6 +9,7 @@
 #include "core/subdivide/carried.h"
 #include "core/subdivide/catmull_level.h"
 #include "core/subdivide/edge_rings.h"
+#include "core/subdivide/remembered.h"
 
 namespace mw {
 
@@ -30,11 +31,24 @@ double resultFaces(const Mesh& mesh, int64_t levels)
     return double(mesh.cornerCount()) * std::pow(4.0, double(levels - 1));
 }
 
-Mesh meshOf(const CatmullLevel& level, const Array<glm::vec3>& places)
+/// The last level gives its arrays away.
+Mesh meshOf(CatmullLevel& level, Array<glm::vec3>& places, bool last)
 {
-    Array<uint32_t> start(level.faces() + 1);
-    for (size_t f = 0; f < start.size(); ++f) start[f] = uint32_t(4 * f);
+    Array<uint32_t> start = lanes::evenStarts(level.faces(), 4);
+    if (last) return Mesh(std::move(places), std::move(start), std::move(level.vertex));
     return Mesh(places, std::move(start), level.vertex);
+}
+
+/// The tables of all levels, with the last result.
+Remembered<std::vector<CatmullLevel>>& remembered()
+{
+    static Remembered<std::vector<CatmullLevel>> memory;
+    return memory;
+}
+
+std::string keyOf(const SubdivideCatmullClark& p)
+{
+    return std::to_string(p.levels) + ' ' + std::to_string(int(p.corners)) + ' ' + std::to_string(int(p.fading)) + ' ' + std::to_string(int(p.uv));
 }
 
 /// What the steps say about a vertex: its ring, and the means that the rule is made of.
@@ -72,18 +86,70 @@ private:
     std::vector<const SharpVertex*> rule_;
 };
 
+/// Texture coordinates that are subdivided themselves.
+struct Texture {
+    CornerSurface surface;
+    CatmullLevel level;
+    Array<glm::vec3> points;
+
+    void refine(bool last)
+    {
+        CatmullPoints next(level, points);
+        next.faces(0, level.faces());
+        next.edges(0, level.edges.size());
+        next.vertices();
+        level = level.refined(last);
+        points = std::move(next.points);
+    }
+};
+
+std::vector<Texture> texturesOf(const Mesh& mesh, const SubdivideCatmullClark& p)
+{
+    std::vector<Texture> out;
+    if (p.uv == Texturing::Linear) return out;
+    for (CornerSurface& s : cornerSurfacesOf(mesh)) {
+        CatmullLevel level = CatmullLevel::of(s.mesh, creaseOf(mesh), true, p.fading ? alwaysSharp : 1.f);
+        Array<glm::vec3> points = lanes::padded(s.mesh.positions());
+        out.push_back({std::move(s), std::move(level), std::move(points)});
+    }
+    return out;
+}
+
 }  // namespace
 
 Generator subdivideCatmullClark(Mesh input, SubdivideCatmullClark parameters, Stage<Mesh>& stage)
 {
     constexpr size_t chunk = size_t(1) << 20;  // elements between two pauses when nobody watches
+    const std::string key = keyOf(parameters);
+    const auto made = stage.watched() ? std::nullopt : remembered().find(input, key);
+    if (made) {
+        Array<glm::vec3> again = lanes::padded(input.positions());
+        for (const CatmullLevel& tables : *made->tables) {
+            CatmullPoints next(tables, again);
+            for (size_t f = 0; f < tables.faces(); f += chunk) {
+                next.faces(f, std::min(f + chunk, tables.faces()));
+                co_yield Step("face").progress(0.9);
+            }
+            for (size_t e = 0; e < tables.edges.size(); e += chunk) {
+                next.edges(e, std::min(e + chunk, tables.edges.size()));
+                co_yield Step("edge").progress(0.9);
+            }
+            next.vertices();
+            again = std::move(next.points);
+        }
+        stage.finish(made->mesh.withPositions(std::move(again)));
+        co_return;
+    }
     Mesh mesh = withoutTinyFaces(input);
     checkResultSize(resultFaces(mesh, parameters.levels), "levels=" + std::to_string(parameters.levels));
     stage.show([&mesh] { return mesh; });
     const bool sharpCorners = parameters.corners == SubdivideCatmullClark::Corners::Sharp;
     CatmullLevel level = CatmullLevel::of(mesh, creaseOf(mesh), sharpCorners, parameters.fading ? alwaysSharp : 1.f);
-    Array<glm::vec3> places(mesh.positions().begin(), mesh.positions().end());
+    Array<glm::vec3> places = lanes::padded(mesh.positions());
+    std::vector<CatmullLevel> tables;
+    std::vector<Texture> textures = texturesOf(mesh, parameters);
     std::vector<Attribute> attributes = mesh.attributes();
+    for (const Texture& t : textures) std::erase_if(attributes, [&t](const Attribute& a) { return a.id() == t.surface.attribute.id(); });
     const Creases creases = parameters.fading ? Creases::Fading : Creases::Lasting;
     const double share = 1.0 / double(parameters.levels);
 
@@ -148,19 +214,29 @@ Generator subdivideCatmullClark(Mesh input, SubdivideCatmullClark parameters, St
         }
         const bool last = n == parameters.levels;
         CatmullLevel finer = level.refined(last);
+        const size_t faces = finer.faces();
+        for (Texture& t : textures) t.refine(last);
         attributes = carried(attributes, originsOf(level, creases));
         places = std::move(next.points);
         if (stage.watched() || last) {
-            Mesh split = meshOf(finer, places).withGroupNames(input.groupNames());
+            Mesh split = meshOf(finer, places, last).withGroupNames(input.groupNames());
             if (!input.lines().empty()) split = split.withLines(input.lines());
             mesh = withAttributes(std::move(split), attributes);
+            for (const Texture& t : textures) mesh = mesh.with(cornerValues(t.surface, t.points, t.level.vertex));
         }
+        level.keepForPoints();
+        if (!stage.watched()) tables.push_back(std::move(level));
         level = std::move(finer);
         co_yield Step("split")
             .number("level", double(n))
             .number("vertices", double(level.vertices))
-            .number("faces", double(level.faces()))
+            .number("faces", double(faces))
             .progress(double(n) * share);
+    }
+    if (!stage.watched() && mesh.faceCount() > 0) {
+        size_t bytes = mesh.bytes();
+        for (const CatmullLevel& l : tables) bytes += l.bytes();
+        remembered().keep(input, key, mesh, std::move(tables), bytes);
     }
     stage.finish(std::move(mesh));
 }

@@ -10,6 +10,7 @@
 #pragma once
 #include "core/mesh/mesh.h"
 #include "core/steps/stage.h"
+#include "core/subdivide/corner_surface.h"
 
 namespace mw {
 
@@ -19,6 +20,7 @@ struct SubdivideCatmullClark {
     int64_t levels = 1;
     Corners corners = Corners::Smooth;
     bool fading = false;
+    Texturing uv = Texturing::Linear;
 
     template <class V>
     void describe(V& v)
@@ -28,6 +30,9 @@ struct SubdivideCatmullClark {
                  {.title = "Border corners",
                   .help = "Whether a vertex of a single face stays (sharp) or is rounded like the rest of the border.",
                   .advanced = true});
+        v.choice("uv", uv, {"linear", "smooth"},
+                 {.title = "Texture coordinates",
+                  .help = "linear: within every face as they were. smooth: subdivided as the places are, which bends the texture less; seams stay."});
         v.flag("fading", fading,
                {.title = "Creases fade",
                 .help = "The crease of an edge is the number of levels it stays sharp for. Else 1 or more is sharp for ever.",

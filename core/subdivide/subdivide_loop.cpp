@@ -7,6 +7,7 @@
 
 #include "core/subdivide/carried.h"
 #include "core/subdivide/loop_level.h"
+#include "core/subdivide/remembered.h"
 
 namespace mw {
 
@@ -21,6 +22,27 @@ Origins originsOf(const LoopLevel& level, SubdivideLoop::Weights weights, Crease
     o.crease = [cut, creases](const Attribute& a) { return cutCrease(a, cut, creases); };
     o.faces = [cut] { return cutFaces(cut); };
     return o;
+}
+
+/// The last level gives its arrays away.
+Mesh meshOf(LoopLevel& level, Array<glm::vec3>& places, bool last)
+{
+    Array<uint32_t> start = lanes::evenStarts(level.faces(), 3);
+    if (last) return Mesh(std::move(places), std::move(start), std::move(level.vertex));
+    return Mesh(places, std::move(start), level.vertex);
+}
+
+/// The tables of all levels, with the last result.
+Remembered<std::vector<LoopLevel>>& remembered()
+{
+    static Remembered<std::vector<LoopLevel>> memory;
+    return memory;
+}
+
+std::string keyOf(const SubdivideLoop& p)
+{
+    return std::to_string(p.levels) + ' ' + std::to_string(int(p.weights)) + ' ' + std::to_string(int(p.corners)) + ' ' +
+           std::to_string(int(p.fading)) + ' ' + std::to_string(int(p.uv));
 }
 
 /// What the steps say about vertices: their neighbours and rules, read from the rows that attributes use.
@@ -39,17 +61,64 @@ struct VertexRule {
     }
 };
 
+/// Texture coordinates that are subdivided themselves.
+struct Texture {
+    CornerSurface surface;
+    LoopLevel level;
+    Array<glm::vec3> points;
+
+    void refine(SubdivideLoop::Weights weights, bool last)
+    {
+        LoopPoints next(level, points, weights);
+        next.edges(0, level.edges.size());
+        next.vertices();
+        level = level.refined(last);
+        points = std::move(next.points);
+    }
+};
+
+std::vector<Texture> texturesOf(const Mesh& mesh, const SubdivideLoop& p)
+{
+    std::vector<Texture> out;
+    if (p.uv == Texturing::Linear) return out;
+    for (CornerSurface& s : cornerSurfacesOf(mesh)) {
+        LoopLevel level = LoopLevel::of(s.mesh, creaseOf(mesh), SubdivideLoop::Corners::Sharp, p.fading ? alwaysSharp : 1.f);
+        Array<glm::vec3> points = lanes::padded(s.mesh.positions());
+        out.push_back({std::move(s), std::move(level), std::move(points)});
+    }
+    return out;
+}
+
 }  // namespace
 
 Generator subdivideLoop(Mesh input, SubdivideLoop parameters, Stage<Mesh>& stage)
 {
     constexpr size_t chunk = size_t(1) << 20;  // edges between two pauses when nobody watches
+    const std::string key = keyOf(parameters);
+    const auto made = stage.watched() ? std::nullopt : remembered().find(input, key);
+    if (made) {
+        Array<glm::vec3> again = lanes::padded(input.positions());
+        for (const LoopLevel& tables : *made->tables) {
+            LoopPoints next(tables, again, parameters.weights);
+            for (size_t e = 0; e < tables.edges.size(); e += chunk) {
+                next.edges(e, std::min(e + chunk, tables.edges.size()));
+                co_yield Step("edge").progress(0.9);
+            }
+            next.vertices();
+            again = std::move(next.points);
+        }
+        stage.finish(made->mesh.withPositions(std::move(again)));
+        co_return;
+    }
     Mesh mesh = asTriangles(input);
     checkResultSize(double(mesh.faceCount()) * std::pow(4.0, double(parameters.levels)), "levels=" + std::to_string(parameters.levels));
     stage.show([&mesh] { return mesh; });
     LoopLevel level = LoopLevel::of(mesh, creaseOf(mesh), parameters.corners, parameters.fading ? alwaysSharp : 1.f);
-    Array<glm::vec3> places(mesh.positions().begin(), mesh.positions().end());
+    Array<glm::vec3> places = lanes::padded(mesh.positions());
+    std::vector<LoopLevel> tables;
+    std::vector<Texture> textures = texturesOf(mesh, parameters);
     std::vector<Attribute> attributes = mesh.attributes();
+    for (const Texture& t : textures) std::erase_if(attributes, [&t](const Attribute& a) { return a.id() == t.surface.attribute.id(); });
     const Creases creases = parameters.fading ? Creases::Fading : Creases::Lasting;
     const double share = 1.0 / double(parameters.levels);
 
@@ -113,19 +182,29 @@ Generator subdivideLoop(Mesh input, SubdivideLoop parameters, Stage<Mesh>& stage
 
         const bool last = n == parameters.levels;
         LoopLevel finer = level.refined(last);
+        const size_t faces = finer.faces();
+        for (Texture& t : textures) t.refine(parameters.weights, last);
         attributes = carried(attributes, originsOf(level, parameters.weights, creases));
         places = std::move(next.points);
         if (stage.watched() || last) {
-            Mesh split = Mesh::triangles(places, finer.vertex).withGroupNames(input.groupNames());
+            Mesh split = meshOf(finer, places, last).withGroupNames(input.groupNames());
             if (!input.lines().empty()) split = split.withLines(input.lines());
             mesh = withAttributes(std::move(split), attributes);
+            for (const Texture& t : textures) mesh = mesh.with(cornerValues(t.surface, t.points, t.level.vertex));
         }
+        level.keepForPoints();
+        if (!stage.watched()) tables.push_back(std::move(level));
         level = std::move(finer);
         co_yield Step("split")
             .number("level", double(n))
             .number("vertices", double(level.vertices))
-            .number("faces", double(level.faces()))
+            .number("faces", double(faces))
             .progress(double(n) * share);
+    }
+    if (!stage.watched() && input.isTriangles()) {
+        size_t bytes = mesh.bytes();
+        for (const LoopLevel& l : tables) bytes += l.bytes();
+        remembered().keep(input, key, mesh, std::move(tables), bytes);
     }
     stage.finish(std::move(mesh));
 }

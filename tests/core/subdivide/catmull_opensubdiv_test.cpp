@@ -1,5 +1,7 @@
 // Catmull-Clark against OpenSubdiv's uniform refinement: faces of any size, borders, creases that last and that fade, vertex by vertex.
 #include <gtest/gtest.h>
+#include <map>
+#include <tuple>
 
 #include "core/subdivide/carried.h"
 #include "core/subdivide/catmull_level.h"
@@ -12,8 +14,12 @@ using namespace mw::test;
 
 namespace {
 
-/// Our vertex for each of theirs, matched through the tables of both, level by level: their child faces begin at other corners.
-std::vector<uint32_t> matched(const OsdMesh& theirs, const Mesh& mesh, int levels, float lasting)
+struct Matched {
+    std::vector<uint32_t> vertex, face;
+};
+
+/// Our vertex and face for each of theirs, matched through the tables of both, level by level: their child faces begin at other corners.
+Matched matched(const OsdMesh& theirs, const Mesh& mesh, int levels, float lasting)
 {
     CatmullLevel level = CatmullLevel::of(mesh, creaseOf(mesh), false, lasting);
     std::vector<uint32_t> ours(mesh.vertexCount()), face(mesh.faceCount());
@@ -44,14 +50,14 @@ std::vector<uint32_t> matched(const OsdMesh& theirs, const Mesh& mesh, int level
         face = nextFace;
         level = level.refined(false);
     }
-    return ours;
+    return {ours, face};
 }
 
 /// Largest distance between our vertices and theirs, over the size.
 double difference(const Mesh& mesh, int levels, bool fading = false)
 {
     const OsdMesh theirs(mesh, osd::Sdc::SCHEME_CATMARK, levels, !fading);
-    const std::vector<uint32_t> ours = matched(theirs, mesh, levels, fading ? alwaysSharp : 1.f);
+    const std::vector<uint32_t> ours = matched(theirs, mesh, levels, fading ? alwaysSharp : 1.f).vertex;
     const std::vector<OsdPoint> points = theirs.positions(mesh, levels);
     const std::string parameters = "levels=" + std::to_string(levels) + (fading ? ",fading=true" : "");
     const Mesh out = applied("subdivide-catmull-clark", mesh, parameters.c_str());
@@ -115,6 +121,68 @@ TEST(CatmullOpenSubdiv, CreasesThatFade)
     EXPECT_LT(difference(creased(bentGrid(8, true), 2.5f, 1.5f), 4, true), 1e-6);
     EXPECT_LT(difference(creased(bentGrid(8, true), 1.3f, 2.f), 4, true), 1e-6) << "corners that become creases";
     EXPECT_LT(difference(creased(bentGrid(8, false), 1.f, 3.2f), 3, true), 1e-6);
+}
+
+/// Largest difference between the texture coordinates at our corners and theirs.
+double textureDifference(const Mesh& mesh, int levels)
+{
+    const Attribute& texcoord = *mesh.find("texcoord");
+    FaceVarying values;
+    std::map<std::tuple<uint32_t, double, double>, int> number;
+    for (uint32_t c = 0; c < mesh.cornerCount(); ++c) {
+        const double u = texcoord.at(c, 0), v = texcoord.at(c, 1);
+        const auto [i, fresh] = number.try_emplace({mesh.cornerVertex()[c], u, v}, int(values.values.size()));
+        if (fresh) values.values.push_back({u, v, 0});
+        values.index.push_back(i->second);
+    }
+    const OsdMesh theirs(mesh, osd::Sdc::SCHEME_CATMARK, levels, true, &values, osd::Sdc::Options::FVAR_LINEAR_CORNERS_ONLY);
+    const Matched ours = matched(theirs, mesh, levels, 1);
+    const std::vector<OsdPoint> points = theirs.faceVarying(values.values, levels);
+    const Mesh out = applied("subdivide-catmull-clark", mesh, ("uv=smooth,levels=" + std::to_string(levels)).c_str());
+    const Attribute& refined = *out.find("texcoord");
+    const auto& level = theirs.refiner->GetLevel(levels);
+    double worst = 0;
+    for (int f = 0; f < level.GetNumFaces(); ++f) {
+        const auto vertices = level.GetFaceVertices(f);
+        const auto corners = level.GetFaceFVarValues(f);
+        for (int k = 0; k < 4; ++k)
+            for (uint32_t c = 4 * ours.face[size_t(f)]; c < 4 * ours.face[size_t(f)] + 4; ++c)
+                if (out.cornerVertex()[c] == ours.vertex[size_t(vertices[k])]) {
+                    const OsdPoint& p = points[size_t(corners[k])];
+                    worst = std::max({worst, std::abs(refined.at(c, 0) - p.x), std::abs(refined.at(c, 1) - p.y)});
+                }
+    }
+    return worst;
+}
+
+/// Charts right and left of x = 1/2; a slit from the border into the left one, which ends inside.
+Mesh charted(const Mesh& mesh)
+{
+    Array<float> texcoord;
+    for (size_t f = 0; f < mesh.faceCount(); ++f) {
+        glm::vec3 centre(0);
+        for (const uint32_t v : mesh.face(f)) centre += mesh.positions()[v] / float(mesh.face(f).size());
+        for (const uint32_t v : mesh.face(f)) {
+            const glm::vec3 p = mesh.positions()[v];
+            const bool slit = p.y == 0.5f && p.x < 0.25f && centre.y > 0.5f;
+            texcoord.insert(texcoord.end(), {p.x + (centre.x > 0.5f ? 2.f : 0.f), p.y + 0.3f * p.z + (slit ? 0.1f : 0.f)});
+        }
+    }
+    return mesh.with(floatAttribute("texcoord", Domain::Corner, 2, texcoord));
+}
+
+TEST(CatmullOpenSubdiv, SmoothTextureCoordinatesOfCharts)
+{
+    EXPECT_LT(textureDifference(charted(bentGrid(8, true)), 3), 2e-6);
+    EXPECT_LT(textureDifference(charted(bentGrid(8, false)), 2), 2e-6);
+    EXPECT_LT(textureDifference(charted(creased(bentGrid(8, true), 0, 1)), 3), 2e-6) << "with creases";
+}
+
+TEST(CatmullOpenSubdiv, SmoothTextureCoordinates)
+{
+    MESHWRIGHT_DATA_OR_SKIP(data);
+    EXPECT_LT(textureDifference(meshOf(data / "meshes/closed_genus0/spot.obj"), 2), 2e-6);
+    EXPECT_LT(textureDifference(meshOf(data / "meshes/quads/cylinder.obj"), 2), 2e-6);
 }
 
 }  // namespace

@@ -148,4 +148,46 @@ TEST(Loop, WhatIsNoSurfaceIsKept)
     }
 }
 
+TEST(Loop, OnlyPositionsChange)
+{
+    // A second run on the same faces takes its tables from the first; it must give what a first one gives.
+    for (const char* id : {"subdivide-loop", "subdivide-catmull-clark"}) {
+        const Mesh bare = bentGrid(6);
+        Array<float> texcoord;
+        for (const uint32_t v : bare.cornerVertex()) texcoord.insert(texcoord.end(), {bare.positions()[v].x, bare.positions()[v].y});
+        const Mesh mesh = bare.with(floatAttribute("texcoord", Domain::Corner, 2, texcoord));
+        Array<glm::vec3> moved(mesh.positions().begin(), mesh.positions().end());
+        moved[17] += glm::vec3(0.1f, 0, 0.5f);
+        const Mesh first = applied(id, mesh, "levels=3"), again = applied(id, mesh.withPositions(moved), "levels=3");
+        EXPECT_EQ(again.cornerVertex().id(), first.cornerVertex().id()) << "nothing is made twice";
+        EXPECT_EQ(again.find("texcoord")->id(), first.find("texcoord")->id());
+        const Mesh unknown = Mesh(moved, Array<uint32_t>(mesh.faceStart().begin(), mesh.faceStart().end()),
+                                  Array<uint32_t>(mesh.cornerVertex().begin(), mesh.cornerVertex().end()))
+                                 .with(floatAttribute("texcoord", Domain::Corner, 2, texcoord));
+        EXPECT_EQ(contentHash(again), contentHash(applied(id, unknown, "levels=3")));
+        EXPECT_NE(applied(id, mesh, "levels=2").vertexCount(), first.vertexCount());
+        const Mesh other = applied(id, mesh.with(floatAttribute("texcoord", Domain::Corner, 2, Array<float>(texcoord.size(), 0.f))), "levels=3");
+        EXPECT_EQ(other.find("texcoord")->at(5, 0), 0);
+    }
+}
+
+TEST(Loop, SmoothTextureCoordinatesMoveWithThePlaces)
+{
+    const Mesh bare = bentGrid(6);
+    Array<float> texcoord;
+    for (const uint32_t v : bare.cornerVertex()) texcoord.insert(texcoord.end(), {bare.positions()[v].x, bare.positions()[v].z});
+    const Mesh mesh = bare.with(floatAttribute("texcoord", Domain::Corner, 2, texcoord));
+    const Mesh out = applied("subdivide-loop", mesh, "levels=2,uv=smooth,corners=sharp");
+    for (size_t c = 0; c < out.cornerCount(); ++c) {
+        EXPECT_NEAR(out.find("texcoord")->at(c, 0), out.positions()[out.cornerVertex()[c]].x, 1e-6);
+        EXPECT_NEAR(out.find("texcoord")->at(c, 1), out.positions()[out.cornerVertex()[c]].z, 1e-6);
+    }
+    // Every face a chart of its own: nothing to be smooth with, corners stay.
+    Array<float> apart = texcoord;
+    for (size_t c = 0; c < bare.cornerCount(); ++c) apart[2 * c] += float(c / 3);
+    const Mesh charts = bare.with(floatAttribute("texcoord", Domain::Corner, 2, apart));
+    const Mesh cut = applied("subdivide-loop", charts, "levels=2,uv=smooth");
+    for (size_t c = 0; c < bare.cornerCount(); ++c) EXPECT_EQ(cut.find("texcoord")->at(16 * 3 * (c / 3) + 12 * (c % 3), 0), double(apart[2 * c]));
+}
+
 }  // namespace

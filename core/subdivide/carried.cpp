@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/mesh/submesh.h"
+#include "core/subdivide/lanes.h"
 
 namespace mw {
 
@@ -30,14 +31,19 @@ void forNewCorners(const FaceCut& cut, const Own& own, const Middle& middle, con
     }
 }
 
-template <class T>
-Shared<T> mixed(const Shared<T>& old, size_t k, const FaceCut& cut)
+/// K numbers a corner; 0: as many as `components` says.
+template <size_t K, class T>
+Shared<T> mixedOf(const Shared<T>& old, size_t components, const FaceCut& cut)
 {
-    Array<T> a(cut.newCorners() * k);
+    const size_t k = K ? K : components;
+    Array<T> a = lanes::largeArray<T>(cut.newCorners() * k);
     T* out = a.data();
     const T* in = old.data();
     forNewCorners(
-        cut, [&](uint32_t c) { out = std::copy(in + c * k, in + (c + 1) * k, out); },
+        cut,
+        [&](uint32_t c) {
+            for (size_t i = 0; i < k; ++i) *out++ = in[c * k + i];
+        },
         [&](uint32_t c, uint32_t d) {
             for (size_t i = 0; i < k; ++i) *out++ = T(0.5 * (double(in[c * k + i]) + double(in[d * k + i])));
         },
@@ -49,6 +55,12 @@ Shared<T> mixed(const Shared<T>& old, size_t k, const FaceCut& cut)
             }
         });
     return a;
+}
+
+template <class T>
+Shared<T> mixed(const Shared<T>& old, size_t k, const FaceCut& cut)
+{
+    return k == 2 ? mixedOf<2>(old, k, cut) : k == 3 ? mixedOf<3>(old, k, cut) : mixedOf<0>(old, k, cut);
 }
 
 /// As rows: for what is not simply mixed (directions, integers).
@@ -108,10 +120,12 @@ Attribute cutCorners(const Attribute& a, const FaceCut& cut)
 
 Attribute cutCrease(const Attribute& crease, const FaceCut& cut, Creases creases)
 {
-    Array<float> out(cut.newCorners(), 0.f);
+    Array<float> out = lanes::largeArray<float>(cut.newCorners());
+    std::fill(out.begin(), out.end(), 0.f);
     float* to = out.data();
+    const std::span<const float> plain = crease.floats();
     const auto left = [&](uint32_t c) {
-        const float sharpness = float(crease.at(c, 0));
+        const float sharpness = plain.empty() ? float(crease.at(c, 0)) : plain[c];
         if (creases == Creases::Fading) return std::max(0.f, sharpness - 1);
         return creases == Creases::Kept || sharpness >= 1 ? sharpness : 0.f;
     };

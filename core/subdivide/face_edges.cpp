@@ -71,29 +71,32 @@ struct Spoke {
     float sharpness;
 };
 
-/// The rule that `edges` ask for, infinitely sharp or not.
-SharpVertex ruleOf(uint32_t v, const std::vector<Spoke>& edges)
+/// The rule for so many sharp edges; `a` and `b` are the other ends of the first two.
+SharpVertex ruleOf(uint32_t v, size_t edges, uint32_t a, uint32_t b)
 {
-    if (edges.size() < 2) return {v, v, v, 0, 0};
-    if (edges.size() == 2) return {v, edges[0].other, edges[1].other, 1, 0.125f};
+    if (edges < 2) return {v, v, v, 0, 0};
+    if (edges == 2) return {v, a, b, 1, 0.125f};
     return {v, v, v, 1, 0};
 }
 
 /// Mixes the rule of a level with that of the next by how much is left of what fades now.
-SharpVertex mixedRule(uint32_t v, const std::vector<Spoke>& now)
+SharpVertex mixedRule(uint32_t v, std::span<const Spoke> now)
 {
-    std::vector<Spoke> next;
+    uint32_t lasting[2] = {v, v};
+    size_t later = 0;
     double left = 0, fading = 0;
     for (const Spoke& s : now) {
-        if (s.sharpness > 1)
-            next.push_back(s);
-        else
+        if (s.sharpness <= 1)
             left += double(s.sharpness), ++fading;
+        else if (later++ < 2)
+            lasting[later - 1] = s.other;
     }
-    const SharpVertex rule = ruleOf(v, now), then = ruleOf(v, next);
-    const size_t kind = std::min<size_t>(now.size(), 3), later = std::min<size_t>(next.size(), 3);
+    const SharpVertex rule = ruleOf(v, now.size(), now[0].other, now.back().other);
+    const size_t kind = std::min<size_t>(now.size(), 3);
+    later = std::min<size_t>(later, 3);
     if (fading == 0 || kind == later || (kind < 2 && later < 2)) return rule;
     const float share = float(std::min(1.0, left / fading));
+    const SharpVertex then = ruleOf(v, later, lasting[0], lasting[1]);
     if (then.share == 0) return {v, rule.a, rule.b, share * rule.share, rule.side};
     return {v, then.a, then.b, 1, (1 - share) * then.side};  // a corner that becomes a crease
 }
@@ -131,19 +134,25 @@ std::vector<SharpEdge> faded(const std::vector<SharpEdge>& sharp)
 
 std::vector<SharpVertex> sharpVerticesOf(const std::vector<SharpEdge>& sharp, const std::vector<Ends>& ends, const std::vector<uint32_t>& fixed)
 {
-    std::vector<Spoke> spokes;
-    for (size_t i = 0; i < sharp.size(); ++i)
-        spokes.insert(spokes.end(), {{ends[i].a, ends[i].b, sharp[i].sharpness}, {ends[i].b, ends[i].a, sharp[i].sharpness}});
-    std::stable_sort(spokes.begin(), spokes.end(), [](const Spoke& x, const Spoke& y) { return x.vertex < y.vertex; });
-    std::vector<SharpVertex> out;
-    std::vector<Spoke> here;
-    for (size_t i = 0; i < spokes.size(); i += here.size()) {
-        const uint32_t v = spokes[i].vertex;
-        here.clear();
-        for (size_t k = i; k < spokes.size() && spokes[k].vertex == v; ++k) here.push_back(spokes[k]);
-        const SharpVertex rule = mixedRule(v, here);
-        if (rule.share > 0 && !std::binary_search(fixed.begin(), fixed.end(), v)) out.push_back(rule);
+    uint32_t vertices = 0;
+    for (const Ends& e : ends) vertices = std::max({vertices, e.a + 1, e.b + 1});
+    Array<uint32_t> start(sharp.empty() ? 0 : vertices + 2, 0);
+    for (const Ends& e : ends) ++start[e.a + 2], ++start[e.b + 2];
+    for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    Array<Spoke> spokes(2 * sharp.size());
+    for (size_t i = 0; i < sharp.size(); ++i) {
+        spokes[start[ends[i].a + 1]++] = {ends[i].a, ends[i].b, sharp[i].sharpness};
+        spokes[start[ends[i].b + 1]++] = {ends[i].b, ends[i].a, sharp[i].sharpness};
     }
+    std::vector<SharpVertex> out;
+    out.reserve(sharp.size() + fixed.size());
+    for (size_t i = 0, end; i < spokes.size(); i = end) {
+        const uint32_t v = spokes[i].vertex;
+        end = start[v + 1];
+        const SharpVertex rule = mixedRule(v, {spokes.data() + i, end - i});
+        if (rule.share > 0 && (fixed.empty() || !std::binary_search(fixed.begin(), fixed.end(), v))) out.push_back(rule);
+    }
+    if (fixed.empty()) return out;
     for (const uint32_t v : fixed) out.push_back({v, v, v, 1, 0});
     std::stable_sort(out.begin(), out.end(), [](const SharpVertex& x, const SharpVertex& y) { return x.vertex < y.vertex; });
     return out;

@@ -60,7 +60,7 @@ public:
     }
 
 private:
-    static constexpr size_t most = 4, mostBytes = size_t(256) << 20;
+    static constexpr size_t most = 4, mostBytes = size_t(512) << 20;
     struct Entry {
         FaceIdentity input;
         std::string parameters;

@@ -13,6 +13,7 @@
 #include "app/cli/value_file.h"
 #include "app/cli/verb.h"
 #include "core/io/io.h"
+#include "core/scene/animate_morph.h"
 
 namespace mw::cli {
 
@@ -95,6 +96,7 @@ int work(const Job& job)
             names.push_back(before.name);
             changes.emplace_back(before.base, project ? evaluated(after, working.progress(), &evaluator, &input.scene) : after.base);
             input.scene.set(id, std::move(after));
+            animateNewMorphs(input.scene, id, morphTargets(before));
         }
         if (job.query()) {
             writeResults(job, input.scene, working, find);

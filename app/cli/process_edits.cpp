@@ -6,6 +6,7 @@
 #include "app/cli/other_mesh.h"
 #include "app/cli/output.h"
 #include "core/io/io.h"
+#include "core/scene/animate_morph.h"
 #include "core/scene/edit.h"
 
 namespace mw::cli {
@@ -52,8 +53,10 @@ void apply(Scene& scene, const SceneStep& step, const EditJob& job, EditRun& run
     }
     const Scene before = scene;  // other meshes are taken as they were
     const FindMesh find = meshesOf(before, working.progress());
-    for (const MeshId id : before.meshes())
+    for (const MeshId id : before.meshes()) {
         scene.set(id, processed(*before.find(id), std::span(&step.operation, 1), scene, job.project, working, find));
+        animateNewMorphs(scene, id, morphTargets(*before.find(id)));
+    }
 }
 
 std::string summary(const Scene& scene)

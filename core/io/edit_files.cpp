@@ -12,12 +12,14 @@ struct Import {
     std::string file;
     double unit = 0;
     enum class Up { AsFile, Y, Z, X } up = Up::AsFile;
+    bool hidden = false;
     template <class V>
     void describe(V& v)
     {
         v.file("file", file, {.title = "File", .help = "Which one, or sample:NAME."});
         v.number("unit", unit, {.title = "Unit", .help = "Length of a unit of the file; 0: as the file says.", .unit = "m", .min = 0, .max = 1e9});
         v.choice("up", up, {"file", "y", "z", "x"}, {.title = "Up", .help = "Axis that points up; file: as the file says."});
+        v.flag("hidden", hidden, {.title = "Hidden", .help = "Comes in hidden, and the selection stays: a mesh that an operation works with."});
     }
 };
 
@@ -36,8 +38,23 @@ void import(Scene& scene, const Import& p, EditRun& run)
     if (p.up != Import::Up::AsFile) options.up = p.up == Import::Up::Y ? UpAxis::Y : p.up == Import::Up::Z ? UpAxis::Z : UpAxis::X;
     Imported read = readFile(p.file, run.progress, options);
     run.warnings = std::move(read.warnings);
-    if (read.scene.meshes().empty() && read.scene.terrains().empty()) run.clips = adoptClips(scene, read.scene);
-    if (run.clips.empty()) run.made = scene.merge(read.scene);
+    // `run` may know clips of an edit before this one.
+    std::vector<ClipId> clips;
+    if (read.scene.meshes().empty() && read.scene.terrains().empty()) clips = adoptClips(scene, read.scene);
+    if (!clips.empty()) {
+        run.clips = std::move(clips);
+        return;
+    }
+    const std::vector<NodeId> made = scene.merge(read.scene);
+    if (!p.hidden) {
+        run.made = made;
+        return;
+    }
+    for (const NodeId id : made) {
+        Node n = scene.node(id);
+        n.visible = false;
+        scene.set(id, std::move(n));
+    }
 }
 
 std::string importName(const Scene&, const Import& p)

@@ -1,4 +1,5 @@
 // Edits of motions: names, copies.
+#include "core/scene/animate_morph.h"
 #include "core/scene/edit_entries.h"
 
 namespace mw {
@@ -72,13 +73,39 @@ std::string removeName(const Scene& scene, const Which& p)
     return scene.find(clipOf(scene, p.clip))->name + ": delete";
 }
 
+struct AnimateMorph {
+    std::string node;
+    int64_t target = 0;
+    double seconds = 4;
+    template <class V>
+    void describe(V& v)
+    {
+        v.object("node", node, {.title = "Node", .help = "Which one, by its name."});
+        v.integer("target", target, {.title = "Target", .help = "Which of its morph targets, counted from 1; 0: the last.", .min = 0, .max = 10000});
+        v.number("seconds", seconds,
+                 {.title = "Duration", .help = "There and back.", .unit = "s", .min = 0.01, .max = 3600, .softMin = 0.5, .softMax = 20});
+    }
+};
+
+void animateMorph(Scene& scene, const AnimateMorph& p, EditRun& run)
+{
+    run.clips = {scene.add(morphClip(scene, nodeOf(scene, p.node), size_t(p.target), p.seconds))};
+}
+
+std::string animateName(const Scene& scene, const AnimateMorph& p)
+{
+    return scene.node(nodeOf(scene, p.node)).name + ": animate morph";
+}
+
 }  // namespace
 
 std::vector<Edit> clipEdits()
 {
     return {editEntry<Rename>("rename-clip", "Rename clip", "Gives a motion another name.", rename, renameName),
             editEntry<Which>("duplicate-clip", "Duplicate clip", "Copies a motion.", duplicate, duplicateName),
-            editEntry<Which>("delete-clip", "Delete clip", "Removes a motion.", remove, removeName)};
+            editEntry<Which>("delete-clip", "Delete clip", "Removes a motion.", remove, removeName),
+            editEntry<AnimateMorph>("animate-morph", "Animate morph", "Adds a motion that plays a morph target there and back.", animateMorph,
+                                    animateName)};
 }
 
 }  // namespace mw

@@ -22,6 +22,29 @@ class Process(Case):
         out = self.ok("process", sphere, "--op", "subdivide-loop:levels=1", "-o", self.folder / "t.ply").out
         self.assertIn("162 vertices, 320 faces -> 642 vertices, 1280 faces", out)
 
+    def test_morph_comes_with_its_animation(self):
+        sphere, out = self.source("s.obj", "icosphere:subdivisions=2"), self.folder / "m.gltf"
+        box = self.source("big box.obj", "box:width=3")
+        for words in ([f'morph:other="{box}"'], ["morph:method=sphere-torus"]):
+            self.ok("process", sphere, "--op", words[0], "-o", out)
+            gltf = json.loads(out.read_text())
+            mesh = gltf["meshes"][0]
+            self.assertEqual(len(mesh["primitives"][0]["targets"]), 1)
+            self.assertEqual(set(mesh["primitives"][0]["targets"][0]), {"POSITION", "NORMAL"})
+            self.assertEqual(mesh["extras"]["targetNames"], ["big box" if "other" in words[0] else "torus"])
+            animation = gltf["animations"][0]
+            self.assertEqual(animation["channels"][0]["target"]["path"], "weights")
+            self.assertIn("mesh", gltf["nodes"][animation["channels"][0]["target"]["node"]])
+        # At the middle of the clip it is the other mesh.
+        self.ok("process", sphere, "--op", f'morph:other="{box}"', "-o", out)
+        posed = self.folder / "posed.obj"
+        self.ok("pose", out, "--time", "2", "-o", posed)
+        self.assertAlmostEqual(self.mesh(posed)["volume"], 3, places=4)
+        self.ok("pose", out, "--time", "4", "-o", posed)
+        self.assertAlmostEqual(self.mesh(posed)["volume"], self.mesh(sphere)["volume"], places=4)
+        self.ok("process", sphere, "--op", f'morph:other="{box}"', "-o", self.folder / "p.glb", "--project")
+        self.ok("pose", self.folder / "p.glb", "--time", "2", "-o", posed)
+
     def test_tables(self):
         sphere = self.source("s.obj", "icosphere:subdivisions=2")
         table = self.folder / "v.csv"

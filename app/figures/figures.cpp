@@ -13,6 +13,7 @@ const std::vector<Figure>& allFigures()
         const auto add = [&](std::vector<Figure> part) { out.insert(out.end(), part.begin(), part.end()); };
         add(chapter2Figures());
         add(chapter3SubdivisionFigures());
+        add(chapter3MorphFigures());
         std::stable_sort(out.begin(), out.end(), [](const Figure& a, const Figure& b) { return std::string_view(a.id) < b.id; });
         return out;
     }();

@@ -106,7 +106,8 @@ void Actions::makeTools()
                  {"Rotate", "rotate", "E", "Drag a ring; numbers can be typed while dragging (degrees)"},
                  {"Scale", "scale", "R", "Drag a handle, or the middle for all axes; factors can be typed while dragging"},
                  {"Measure", "measure", "D", "Click two points for their distance, a third for angle and area"},
-                 {"Brush", "brush", "M", "Drag paints on terrains"}};
+                 {"Brush", "brush", "M", "Drag paints on terrains"},
+                 {"Collapse", "edge", "O", "Point at an edge: where it would go, or why it stays; a click collapses it"}};
     for (const auto& k : kinds) {
         const auto tool = ToolKind(tools.size());
         auto* a = make(

@@ -47,7 +47,8 @@ QComboBox* colourBy(Session& session, Viewport& view, QWidget* parent)
     combo->addItem("Material", QString());
     for (const Operation& op : catalog())
         if (op.accepts == Kind::Mesh && op.yields == Kind::Table) {
-            combo->addItem(QString::fromStdString(op.title), QString::fromStdString(op.id));
+            // One that compares with another mesh is asked about the base.
+            combo->addItem(QString::fromStdString(op.title).replace("another mesh", "the base mesh"), QString::fromStdString(op.id));
             combo->setItemData(combo->count() - 1, QString::fromStdString(op.summary), Qt::ToolTipRole);
         }
     combo->setToolTip("What the colours of meshes say");

@@ -16,7 +16,7 @@ namespace mw {
 enum class PickKind { Object, Vertex, Edge, Face, Joint };
 
 /// What a press or a drag in the view does.
-enum class ToolKind { Select, Box, Lasso, Move, Rotate, Scale, Measure, Brush };
+enum class ToolKind { Select, Box, Lasso, Move, Rotate, Scale, Measure, Brush, Collapse };
 
 /// What each of several views side by side has for itself.
 struct ViewSettings {

@@ -1,8 +1,10 @@
 // Tools of the view, driven by the pointer and the keyboard: what they do to the document, and that they hit what they point at. CTest runs
 // this at several device pixel ratios.
+#include <QAbstractButton>
 #include <QApplication>
 #include <QClipboard>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -17,6 +19,7 @@
 #include "ui/main_window.h"
 #include "ui/stack_edits.h"
 #include "ui/view_area.h"
+#include "ui/viewport/collapse_tool.h"
 #include "ui/viewport/measure_tool.h"
 #include "ui/viewport/transform_tool.h"
 #include "ui/viewport/viewport.h"
@@ -576,6 +579,123 @@ private slots:
         for (int i = 0; i < 3; ++i) mixed += p.weights[i] * glm::dvec3(mesh.positions()[p.corners[i]]);
         QVERIFY(glm::length(mixed - p.at) < 1e-6);
         QVERIFY(glm::distance(pixelOf(p.at), glm::dvec2(point(pixelOf(inside)).x(), point(pixelOf(inside)).y())) < 1.0);
+    }
+
+    // A ball whose texture coordinates are x and y, and a small box in front of it: what is carried is mixed, the second point knows the first's
+    // surface.
+    void measuresWhatASurfaceCarriesAndHowFarItIs()
+    {
+        const Mesh ball = icosphere(4);
+        Array<float> uv;
+        for (const glm::vec3& v : ball.positions()) uv.insert(uv.end(), {v.x, v.y});
+        Scene s = sceneOf(ball.with(floatAttribute("texcoord", Domain::Vertex, 2, uv)), "ball");
+        MeshObject box;
+        box.base = std::get<Mesh>(apply(operation("box"), {}, {{"width", 0.4}, {"height", 0.4}, {"depth", 0.4}}));
+        Node n;
+        n.name = "box";
+        n.local.translation = {3, 0.5, 0};
+        n.mesh = s.add(std::move(box));
+        s.add(n);
+        open(std::move(s));
+        session().view.colourBy = "vertex-valence";
+        session().view.touch();
+        QTRY_VERIFY_WITH_TIMEOUT(view().frame().objects.at(0).heat && view().frame().objects.at(1).heat, 10000);
+        QTest::keyClick(&view(), Qt::Key_D);
+        auto& tool = static_cast<MeasureTool&>(view().tool(ToolKind::Measure));
+        const glm::dvec3 eye = view().look().camera.eye();
+        const glm::dvec3 aim = 0.5 * ball.bounds().size().x * glm::normalize(eye - glm::dvec3(0)) * 0.999;
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, point(pixelOf(aim)));
+        QCOMPARE(tool.points().size(), size_t(1));
+        const MeasuredPoint first = tool.points()[0];
+        QVERIFY(first.corners.x != none);
+        const auto carried = [&](const QString& title) {
+            for (const auto& [name, value] : first.carried)
+                if (name == title) return value;
+            return QString();
+        };
+        const QStringList texture = carried("Texture").replace(QChar(0x2212), '-').split(", ");
+        QCOMPARE(texture.size(), 2);
+        QVERIFY(std::abs(texture[0].toDouble() - first.at.x) < 1e-3);
+        QVERIFY(std::abs(texture[1].toDouble() - first.at.y) < 1e-3);
+        const double valence = carried("valence").toDouble();
+        QVERIFY(valence >= 5 && valence <= 6);
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, point(pixelOf({3, 0.5, 0})));
+        QCOMPARE(tool.points().size(), size_t(2));
+        const glm::dvec3 second = tool.points()[1].at;
+        const QString said = tool.copyText();
+        const double surface = said.section("to surface\t", 1, 1).section('\n', 0, 0).toDouble();
+        const double radius = glm::length(glm::dvec3(ball.positions()[0]));
+        QVERIFY2(std::abs(surface - (glm::length(second) - radius)) < 0.01 * radius, qPrintable(said));
+        QVERIFY(tool.report().contains("to the surface of the first"));
+        QVERIFY(said.contains("to plane"));
+    }
+
+    void collapsesAnEdgeByHand()
+    {
+        openSphere(2);
+        const MeshId id = document().scene().meshes().front();
+        const Mesh mesh = document().scene().find(id)->base;
+        QTest::keyClick(&view(), Qt::Key_O);
+        QVERIFY(session().view.tool == ToolKind::Collapse);
+        auto& tool = static_cast<CollapseTool&>(view().tool(ToolKind::Collapse));
+        const glm::dvec3 eye = view().look().camera.eye();
+        glm::dvec3 nearest(0);
+        for (size_t e = 0; e < mesh.edges().size(); e += 2) {
+            const glm::dvec3 m = 0.5 * (glm::dvec3(mesh.positions()[mesh.edges()[e]]) + glm::dvec3(mesh.positions()[mesh.edges()[e + 1]]));
+            if (nearest == glm::dvec3(0) || glm::distance(m, eye) < glm::distance(nearest, eye)) nearest = m;
+        }
+        const QPoint at = point(pixelOf(nearest));
+        hoverAt(at);
+        QTRY_VERIFY(tool.hovered() && tool.hovered()->legal);
+        QVERIFY(tool.hovered()->reason.isEmpty());
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, at);
+        settle();
+        QCOMPARE(document().shownMesh(id).faceCount(), mesh.faceCount() - 2);
+        QCOMPARE(document().scene().find(id)->stack.size(), size_t(1));
+        document().undo();
+        settle();
+        QCOMPARE(document().shownMesh(id).faceCount(), mesh.faceCount());
+    }
+
+    void saysWhyAnEdgeStays()
+    {
+        const Mesh solid =
+            Mesh::triangles(Array<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, Array<uint32_t>{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+        open(sceneOf(solid, "tetrahedron"));
+        const MeshId id = document().scene().meshes().front();
+        QTest::keyClick(&view(), Qt::Key_O);
+        auto& tool = static_cast<CollapseTool&>(view().tool(ToolKind::Collapse));
+        const QPoint at = point(pixelOf({0.5, 0.5, 0}));
+        hoverAt(at);
+        QTRY_VERIFY(tool.hovered().has_value());
+        QVERIFY(!tool.hovered()->legal);
+        QVERIFY(!tool.hovered()->reason.isEmpty());
+        QVERIFY(tool.cursor() == Qt::ForbiddenCursor);
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, at);
+        QVERIFY(document().scene().find(id)->stack.empty());
+        QTest::keyClick(&view(), Qt::Key_Q);
+    }
+
+    // Error against the base: the row of the modifiers says it, its button shows it.
+    void showsTheErrorAgainstTheBase()
+    {
+        openSphere(4);
+        const MeshId id = document().scene().meshes().front();
+        document().select({{firstNode()}, {}, {}});
+        edits::addModifier(document(), id, operation("decimate-quadric"), {{"ratio", 0.05}});
+        settle();
+        auto* text = w_->findChild<QLabel*>("baseErrorText");
+        QVERIFY(text);
+        QTRY_VERIFY_WITH_TIMEOUT(text->text().contains("Hausdorff"), 10000);
+        auto* show = w_->findChild<QAbstractButton*>("showBaseError");
+        QVERIFY(show);
+        show->click();
+        QCOMPARE(session().view.colourBy, QString("distance"));
+        QTRY_VERIFY_WITH_TIMEOUT(view().frame().objects.at(0).heat != nullptr, 10000);
+        const Table& t = *view().frame().objects[0].heat->table;
+        QCOMPARE(t.columns[0].values.size(), document().shownMesh(id).vertexCount());
+        show->click();
+        QVERIFY(session().view.colourBy.isEmpty());
     }
 
     void twoViewsShareSceneAndSelection()

@@ -9,6 +9,7 @@
 #include "ui/edit_commands.h"
 #include "ui/evaluation_service.h"
 #include "ui/panels/add_modifier_popup.h"
+#include "ui/panels/base_error.h"
 #include "ui/panels/empty_state.h"
 #include "ui/panels/modifier_row.h"
 #include "ui/stack_edits.h"
@@ -100,6 +101,7 @@ private:
         outer->addLayout(bar);
         outer->addWidget(empty_);
         outer->addWidget(area, 1);
+        outer->addWidget(makeBaseErrorRow(session_, this));
         connect(add_, &QPushButton::clicked, this, [this] {
             showAddModifierPopup(
                 add_, [this](const Operation& op) { add(op); }, [this](const Operation& op) { return expectedText(op, sizeOf(shown()), {}); });

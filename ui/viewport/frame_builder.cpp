@@ -74,7 +74,10 @@ Frame buildFrame(const Session& session, const ViewSettings& look, HeatService& 
     frame.options = look.options;
     const Operation* query = look.colourBy.isEmpty() ? nullptr : findOperation(look.colourBy.toStdString());
     if (query && !session.steps.isOpen())
-        for (DrawObject& o : frame.objects) o.heat = heats.heat(*query, o.mesh);
+        for (DrawObject& o : frame.objects) {
+            const MeshObject* object = session.document.scene().find(session.document.scene().node(o.node).mesh);
+            o.heat = heats.heat(*query, o.mesh, object ? object->base : Mesh());
+        }
     if (!session.steps.isOpen())
         for (DrawObject& o : frame.objects) o.mesh = heats.normals.shown(o.mesh, look.normalWeight);
     for (DrawTerrain& t : frame.terrains) t.overlay = session.view.groundOverlay;

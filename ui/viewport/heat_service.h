@@ -21,7 +21,8 @@ public:
     }
     NormalService normals;
     /// Null while it is being computed; ready() follows. Failed ones stay null and their text is said once by failed().
-    std::shared_ptr<const HeatMap> heat(const Operation& query, const Mesh& mesh);
+    /// Queries that work with another mesh are asked about `base`.
+    std::shared_ptr<const HeatMap> heat(const Operation& query, const Mesh& mesh, const Mesh& base = {});
 
 signals:
     void ready();
@@ -30,9 +31,10 @@ signals:
 private:
     struct Entry {
         const Operation* query;
-        Mesh mesh;
+        Mesh mesh, base;
         std::shared_ptr<const HeatMap> heat;
     };
+    Entry* find(const Operation& query, const Mesh& mesh, const Mesh& base);
     Jobs& jobs_;
     std::list<Entry> entries_;  // most recent first
 };

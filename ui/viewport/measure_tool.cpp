@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "core/math/measure.h"
-#include "render/bones.h"
+#include "core/math/point_triangle.h"
+#include "core/mesh/triangle_tree.h"
+#include "ui/viewport/heat_probe.h"
 #include "ui/words.h"
 
 namespace mw {
@@ -31,16 +33,6 @@ const DrawObject* objectOf(const Frame& frame, NodeId node)
     return nullptr;
 }
 
-class Places {
-public:
-    explicit Places(const DrawObject& o) : object_(o), places_(o.pose ? posedPositions(o.mesh, *o.pose) : o.mesh.positions()) {}
-    glm::dvec3 operator[](uint32_t v) const { return glm::dvec3(object_.worldFromLocal * glm::dvec4(glm::dvec3(places_[v]), 1)); }
-
-private:
-    const DrawObject& object_;
-    Shared<glm::vec3> places_;
-};
-
 /// The place of a segment nearest to a ray.
 glm::dvec3 onSegment(const Ray& ray, glm::dvec3 a, glm::dvec3 b)
 {
@@ -48,24 +40,6 @@ glm::dvec3 onSegment(const Ray& ray, glm::dvec3 a, glm::dvec3 b)
     const double aa = glm::dot(along, along), ad = glm::dot(along, ray.direction), slope = aa - ad * ad;
     const double t = slope > 1e-12 * aa ? (glm::dot(w, along) - glm::dot(w, ray.direction) * ad) / slope : 0;
     return a + std::clamp(t, 0.0, 1.0) * along;
-}
-
-/// The triangle of the face that holds the point best, and the point's weights there.
-void findTriangle(const DrawObject& o, const Places& places, MeasuredPoint& p)
-{
-    const Mesh::Triangulation& t = o.mesh.triangulation();
-    const auto [first, last] = std::equal_range(t.faces.begin(), t.faces.end(), p.face);
-    double best = -1e9;
-    for (const uint32_t* i = first; i != last; ++i) {
-        const size_t k = 3 * size_t(i - t.faces.begin());
-        const glm::uvec3 corners(t.vertices[k], t.vertices[k + 1], t.vertices[k + 2]);
-        const glm::dvec3 w = barycentric(p.at, places[corners.x], places[corners.y], places[corners.z]);
-        const double least = std::min({w.x, w.y, w.z});
-        if (!(least > best)) continue;
-        best = least;
-        p.corners = corners;
-        p.weights = w;
-    }
 }
 
 }  // namespace
@@ -83,7 +57,7 @@ std::optional<MeasuredPoint> MeasureTool::pointAt(glm::dvec2 at)
         p.on = MeasuredPoint::On::Ground;
         return p;
     }
-    const Places places(*o);
+    const WorldPlaces places(*o);
     if (pick->vertex != none) {
         p.on = MeasuredPoint::On::Vertex;
         p.vertex = pick->vertex;
@@ -93,16 +67,58 @@ std::optional<MeasuredPoint> MeasureTool::pointAt(glm::dvec2 at)
         p.edge = pick->edge;
         p.at = onSegment(view_.ray(at), places[p.edge.x], places[p.edge.y]);
     }
-    if (p.face != none) findTriangle(*o, places, p);
+    if (p.face == none) return p;
+    if (const auto t = triangleAt(*o, p.face, p.at)) {
+        p.corners = t->vertices;
+        p.weights = t->weights;
+        for (int k = 0; k < 3; ++k) p.triangle[k] = places[t->vertices[k]];
+    }
     return p;
+}
+
+void MeasureTool::describe(MeasuredPoint& p)
+{
+    const DrawObject* o = objectOf(view_.seen(), p.node);
+    const auto t = o && p.face != none ? triangleAt(*o, p.face, p.at) : std::nullopt;
+    if (!t) return;
+    const auto row = [&](const char* attribute, const QString& title) {
+        QStringList numbers;
+        for (const double v : mixed(o->mesh, attribute, t->vertices, t->corners, t->weights)) numbers << number(v);
+        if (!numbers.isEmpty()) p.carried.emplace_back(title, numbers.join(", "));
+    };
+    row("color", "Colour");
+    row("texcoord", "Texture");
+    if (const auto v = probed(*o, p.face, t->vertices, t->weights))
+        p.carried.emplace_back(QString::fromStdString(v->name),
+                               std::isnan(v->value) ? "undefined" : number(v->value) + " " + QString::fromStdString(v->unit));
+}
+
+void MeasureTool::measureSurface()
+{
+    if (points_.size() == 3) return;  // a third point is about the angle
+    toSurface_.reset();
+    if (points_.size() != 2 || points_[0].corners.x == none) return;
+    const MeasuredPoint &a = points_[0], &b = points_[1];
+    const PointTriangle t = pointTriangle(b.at, a.triangle[0], a.triangle[1], a.triangle[2]);
+    SurfaceMeasure m{t.distance, t.inside, a.node != b.node, 0};
+    const DrawObject* o = objectOf(view_.seen(), a.node);
+    if (m.other && o) {
+        const WorldPlaces places(*o);
+        Array<glm::vec3> world(o->mesh.vertexCount());
+        for (uint32_t v = 0; v < world.size(); ++v) world[v] = glm::vec3(places[v]);
+        m.surface = std::sqrt(TriangleTree(o->mesh.withPositions(std::move(world))).closest(b.at).distance2);
+    }
+    toSurface_ = m;
 }
 
 bool MeasureTool::click(const PointerEvent& e)
 {
-    const auto p = pointAt(e.at);
+    auto p = pointAt(e.at);
     if (!p) return true;  // beside everything: nothing to measure, and the selection stays
     if (points_.size() == 3) points_.clear();
-    points_.push_back(*p);
+    describe(*p);
+    points_.push_back(*std::move(p));
+    measureSurface();
     tell();
     return true;
 }
@@ -183,6 +199,8 @@ QString MeasureTool::report() const
         row("Distance", number(glm::length(d)) + " m");
         row("along X, Y, Z", QString("%1, %2, %3 m").arg(number(d.x), number(d.y), number(d.z)));
     }
+    if (toSurface_ && toSurface_->other) row("to the surface of the first", number(toSurface_->surface) + " m");
+    if (toSurface_) row("to the plane of its triangle", number(toSurface_->plane) + (toSurface_->inside ? " m, foot inside" : " m, foot outside"));
     if (points_.size() == 3) {
         const glm::dvec3 a = points_[0].at, b = points_[1].at, c = points_[2].at;
         row("Second distance", number(glm::distance(b, c)) + " m");
@@ -198,6 +216,7 @@ QString MeasureTool::report() const
                                .arg(last.weights.z, 0, 'f', 3)
                                .replace('-', QChar(0x2212)));
         row("of vertices", QString("%1, %2, %3").arg(grouped(last.corners.x), grouped(last.corners.y), grouped(last.corners.z)));
+        for (const auto& [title, value] : last.carried) row(title, value);
     }
     return "<table>" + rows + "</table>";
 }
@@ -211,6 +230,10 @@ QString MeasureTool::copyText() const
     if (points_.size() >= 2) {
         const glm::dvec3 d = points_[1].at - points_[0].at;
         lines << "distance\t" + full(glm::length(d)) << "along\t" + triple(d);
+    }
+    if (toSurface_ && points_.size() >= 2) {
+        lines << "to plane\t" + full(toSurface_->plane) + (toSurface_->inside ? "\tfoot inside" : "\tfoot outside");
+        if (toSurface_->other) lines << "to surface\t" + full(toSurface_->surface);
     }
     if (points_.size() == 3) {
         const glm::dvec3 a = points_[0].at, b = points_[1].at, c = points_[2].at;

@@ -13,8 +13,18 @@ struct MeasuredPoint {
     NodeId node;
     uint32_t vertex = none, face = none;
     glm::uvec2 edge{none, none};
-    glm::uvec3 corners{none, none, none};  ///< of the triangle it lies in
-    glm::dvec3 weights{0};                 ///< barycentric, in that triangle
+    glm::uvec3 corners{none, none, none};                   ///< vertices of the triangle it lies in
+    glm::dvec3 weights{0};                                  ///< barycentric, in that triangle
+    std::vector<std::pair<QString, QString>> carried = {};  ///< what the mesh carries there: colour, texture coordinates, the value shown
+    glm::dvec3 triangle[3] = {};                            ///< world
+};
+
+/// The second point against the surface of the first one (3.4.1).
+struct SurfaceMeasure {
+    double plane = 0;     ///< signed distance to the plane of the first point's triangle
+    bool inside = false;  ///< its foot there lies in the triangle
+    bool other = false;   ///< the points lie on different things: then `surface` says something
+    double surface = 0;   ///< distance to the whole surface the first one lies on
 };
 
 class MeasureTool : public Tool {
@@ -37,8 +47,11 @@ public:
 
 private:
     std::optional<MeasuredPoint> pointAt(glm::dvec2 at);
+    void describe(MeasuredPoint& p);
+    void measureSurface();
     void tell();
     std::vector<MeasuredPoint> points_;
+    std::optional<SurfaceMeasure> toSurface_;
     std::optional<MeasuredPoint> hover_;
 };
 

@@ -20,6 +20,17 @@ void showEdges(Frame& frame, const Mesh& mesh)
     if (frame.options.shading == Shading::Smooth) frame.options.shading = Shading::Flat;
 }
 
+// What a query has found so far, as colours; the rest is undefined yet.
+std::shared_ptr<const HeatMap> heatSoFar(const Value* value, const Mesh& mesh)
+{
+    const Table* table = value ? std::get_if<Table>(value) : nullptr;
+    if (!table || table->columns.empty() || mesh.faceCount() > edgesShownUpTo) return nullptr;
+    auto heat = std::make_shared<HeatMap>();
+    std::tie(heat->low, heat->high) = heatRange(table->columns.front());
+    heat->table = std::make_shared<Table>(*table);
+    return heat;
+}
+
 // The scene was posed by the same joints already: their bones stay as they are coloured there. Others are added.
 void markPose(const Session& s, Frame& frame, const Pose& pose)
 {
@@ -64,7 +75,7 @@ void markStep(const Session& s, Frame& frame)
         if (const Mesh* mesh = value ? std::get_if<Mesh>(value) : nullptr) o.mesh = *mesh;
         o.pose = nullptr;  // places of a step are those of the mesh at rest
         o.worldFromLocal = s.document.scene().worldFromLocal(o.node);
-        o.heat = nullptr;
+        o.heat = heatSoFar(value, o.mesh);
         showEdges(frame, o.mesh);
         addFocus(frame, s.steps.step(), o.mesh, o.node, o.worldFromLocal);
     }

@@ -84,6 +84,7 @@ private:
     void beginDrag(QPointF at);
     void drag(QPointF at);
     void hover();
+    void showValue(const std::optional<Pick>& pick);
     void pointAt(QPointF at);  // the ground there
     void moved();              // the camera
     void toolChanged();
@@ -100,7 +101,7 @@ private:
     Session& session_;
     std::shared_ptr<HeatService> heats_;
     const int view_;
-    std::array<std::unique_ptr<Tool>, 8> tools_;  // by ToolKind
+    std::array<std::unique_ptr<Tool>, 9> tools_;  // by ToolKind
     BrushTool* brush_ = nullptr;
     Tool* dragTool_ = nullptr;  // whose drag goes on
     std::unique_ptr<Renderer> renderer_;
@@ -108,6 +109,7 @@ private:
     Frame frame_;
     bool stale_ = true, toolKey_ = false;
     std::optional<Mark> hoverMark_;
+    std::optional<Label> hoverValue_;  // of the heat map
     std::optional<Camera> beforeLab_;
     const Operation* labOf_ = nullptr;
     QMenu* menu_ = nullptr;

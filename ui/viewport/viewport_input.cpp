@@ -2,10 +2,12 @@
 #include <QLineF>
 #include <QMouseEvent>
 #include <algorithm>
+#include <cmath>
 
 #include "render/bones.h"
 #include "ui/selection_commands.h"
 #include "ui/viewport/brush_tool.h"
+#include "ui/viewport/heat_probe.h"
 #include "ui/viewport/region_tool.h"
 #include "ui/viewport/step_frame.h"
 #include "ui/viewport/viewport.h"
@@ -242,6 +244,7 @@ void Viewport::leaveEvent(QEvent*)
     session_.view.setGround({});
     const bool had = hoverMark_.has_value() || session_.view.hovered;
     hoverMark_.reset();
+    hoverValue_.reset();
     session_.view.hovered = {};
     if (had) refresh();
 }
@@ -286,12 +289,31 @@ void Viewport::hover()
     NodeId node = pick && session_.view.pickKind == PickKind::Object ? pick->node : NodeId{};
     if (const NodeId joint = jointUnder(last_, pick.has_value())) node = joint;
     auto mark = pick ? hoverMark(*pick, session_.view.pickKind) : std::nullopt;
+    showValue(pick);
     const bool same = node == session_.view.hovered && mark.has_value() == hoverMark_.has_value() &&
                       (!mark || (mark->indices == hoverMark_->indices && mark->node == hoverMark_->node));
     if (same) return;
     session_.view.hovered = node;
     hoverMark_ = std::move(mark);
     refresh();
+}
+
+// What the colours say at the pointer.
+void Viewport::showValue(const std::optional<Pick>& pick)
+{
+    const bool had = hoverValue_.has_value();
+    hoverValue_.reset();
+    if (pick && pick->face != none && !look().colourBy.isEmpty())
+        for (const DrawObject& o : frame_.objects) {
+            if (o.node != pick->node) continue;
+            const auto t = triangleAt(o, pick->face, pick->atWorld);
+            const auto v = t ? probed(o, pick->face, t->vertices, t->weights) : std::nullopt;
+            if (!v) continue;
+            const std::string unit = v->unit.empty() ? "" : " " + v->unit;
+            hoverValue_ =
+                Label{glm::vec3(pick->atWorld), std::isnan(v->value) ? "undefined" : QString::number(v->value, 'g', 3).toStdString() + unit};
+        }
+    if (had || hoverValue_) update();
 }
 
 void Viewport::pointAt(QPointF at)

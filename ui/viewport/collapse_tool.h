@@ -1,0 +1,42 @@
+// Collapsing edges by hand: the edge under the pointer shows where it would go, or why it may not; a click adds the collapse to the modifiers.
+#pragma once
+#include <memory>
+
+#include "core/simplify/collapse_edge.h"
+#include "ui/viewport/tool.h"
+
+namespace mw {
+
+class CollapseTool : public Tool {
+public:
+    using Tool::Tool;
+    bool click(const PointerEvent& e) override;
+    void rest(const PointerEvent& e) override;
+    void leave() override;
+    void decorate(Frame& frame) override;
+    QString hint(Qt::KeyboardModifiers m) const override;
+    Qt::CursorShape cursor() const override;
+    bool marksHover() const override { return false; }
+
+    /// What is under the pointer: empty text for a legal collapse.
+    struct Hover {
+        NodeId node;
+        uint32_t a = none, b = none;
+        glm::dvec3 first{0}, second{0}, to{0};  ///< world
+        bool legal = false;
+        QString reason;
+        glm::dvec2 pointer{0};
+    };
+    const std::optional<Hover>& hovered() const { return hover_; }
+
+private:
+    std::optional<Hover> at(const PointerEvent& e);
+    EdgeCollapser& collapserOf(const Mesh& mesh);
+    QString obstacle(NodeId node) const;  ///< what keeps the node's edges from being collapsed; empty: nothing
+
+    std::optional<Hover> hover_;
+    Mesh mesh_;  // of the collapser
+    std::unique_ptr<EdgeCollapser> collapser_;
+};
+
+}  // namespace mw

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "render/draw_context.h"
+#include "render/heat_values.h"
 #include "render/picture_target.h"
 
 namespace mw {
@@ -14,7 +15,7 @@ struct FlatPainter::Impl {
     Canvas canvas;
     PictureTarget target;
 
-    explicit Impl(Offscreen& o) : offscreen(o) {}
+    explicit Impl(Offscreen& o) : offscreen(o) { makeHeatTable(gpu.heatTable); }
 };
 
 FlatPainter::FlatPainter(Offscreen& offscreen)

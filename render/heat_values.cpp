@@ -7,11 +7,12 @@ namespace mw {
 
 namespace {
 
-constexpr double undefinedValue = -1e38;
+// Far from every value, and not so far that interpolating it between vertices overflows.
+constexpr double undefinedValue = -1e32, greatestValue = 9e24;
 
 float heatFloat(double v)
 {
-    return float(std::isfinite(v) ? std::clamp(v, -9e29, 9e29) : undefinedValue);
+    return float(std::isfinite(v) ? std::clamp(v, -greatestValue, greatestValue) : undefinedValue);
 }
 
 }  // namespace
@@ -25,6 +26,17 @@ GLuint heatBuffer(GpuCache& cache, const HeatMap& h, const Shared<uint32_t>& ver
         for (size_t i = 0; i < out.size(); ++i) out[i] = heatFloat(values[vertexOf.empty() ? i : vertexOf[i]]);
         return out;
     });
+}
+
+void makeHeatTable(gl::Texture& texture)
+{
+    const std::vector<uint8_t> pixels = heatTablePixels();
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, heatEntries, 3, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
 glm::vec4 heatUniform(const HeatMap& h)

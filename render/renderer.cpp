@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "render/draw_context.h"
+#include "render/heat_values.h"
 #include "render/id_buffer.h"
 #include "render/overlay.h"
 
@@ -16,17 +17,6 @@ struct Renderer::Impl {
 };
 
 namespace {
-
-void makeHeatTable(gl::Texture& texture)
-{
-    const std::vector<uint8_t> pixels = heatTablePixels();
-    glBindTexture(GL_TEXTURE_2D, texture.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, heatEntries, 3, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
 
 /// A window's toolkit leaves its own state behind; nothing of it is taken for granted.
 void cleanState(GLuint vertexArray, unsigned target, glm::ivec2 size)

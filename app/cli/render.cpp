@@ -6,10 +6,12 @@
 
 #include "app/cli/clip_options.h"
 #include "app/cli/operation_call.h"
+#include "app/cli/other_mesh.h"
 #include "app/cli/output.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/placement_options.h"
 #include "app/cli/verb.h"
+#include "core/catalog/others.h"
 #include "core/io/io.h"
 #include "render/animated_png.h"
 #include "render/offscreen.h"
@@ -20,16 +22,17 @@ namespace mw::cli {
 namespace {
 
 /// The metric of every mesh, all over one range, so that colours can be compared.
-void colourBy(Frame& frame, const OperationCall& metric, Progress* progress)
+void colourBy(Frame& frame, const OperationCall& metric, const Scene& scene, Progress* progress)
 {
     std::map<const void*, std::shared_ptr<HeatMap>> byMesh;
+    const Others others = othersOf(*metric.operation, metric.values, meshesOf(scene, progress), progress);
     double low = 0, high = 0;
     bool first = true;
     for (DrawObject& o : frame.objects) {
         if (o.mesh.faceCount() == 0) continue;
         std::shared_ptr<HeatMap>& heat = byMesh[o.mesh.positions().id()];
         if (!heat) {
-            Table table = std::get<Table>(apply(*metric.operation, o.mesh, metric.values, progress));
+            Table table = std::get<Table>(apply(*metric.operation, o.mesh, metric.values, progress, others));
             if (table.columns.empty() || table.rows == ElementKind::Object)
                 throw Error("the operation " + metric.operation->id + " gives no number for each vertex, edge or face; choose another metric");
             heat = std::make_shared<HeatMap>(*heatMapOf(std::move(table)));
@@ -143,7 +146,7 @@ int run(Arguments& arguments)
     choose(frame, w.show);
     frame.camera = w.camera;
     frame.options = w.look.options;
-    if (w.look.metric) colourBy(frame, *w.look.metric, working.progress());
+    if (w.look.metric) colourBy(frame, *w.look.metric, in.scene, working.progress());
     const double aspect = double(w.size.width) / w.size.height;
     if (w.turntable) {
         frameTurntable(frame, aspect);

@@ -12,6 +12,8 @@ const std::vector<Figure>& allFigures()
         std::vector<Figure> out;
         const auto add = [&](std::vector<Figure> part) { out.insert(out.end(), part.begin(), part.end()); };
         add(chapter2Figures());
+        add(chapter3CostFigures());
+        add(chapter3DistanceFigures());
         add(chapter3SubdivisionFigures());
         add(chapter3MorphFigures());
         std::stable_sort(out.begin(), out.end(), [](const Figure& a, const Figure& b) { return std::string_view(a.id) < b.id; });

@@ -149,15 +149,15 @@ Mesh hexagonGrid(int rings)
 Mesh rockpatch()
 {
     const Scene rock = rockScene();
-    const Mesh coarse = applied("decimate-quadric", "ratio=0.045", rock.find(rock.meshes().front())->base);
-    const dvec3 middle = glm::normalize(dvec3(-0.45, 0.55, 0.7));
+    const Mesh coarse = applied("decimate-quadric", "ratio=0.085", rock.find(rock.meshes().front())->base);
+    const dvec3 middle = glm::normalize(dvec3(0.3, 0.75, 0.5));
     KeptElements kept(coarse);
     for (size_t f = 0; f < coarse.faceCount(); ++f) {
         dvec3 sum(0);
         for (const uint32_t v : coarse.face(f)) sum += dvec3(coarse.positions()[v]);
         const dvec3 d = glm::normalize(sum);
         const double ragged = 0.10 * std::sin(7 * d.x + 3) * std::cos(9 * d.y) + 0.05 * std::sin(23 * d.x);
-        kept.faces[f] = std::acos(std::clamp(glm::dot(d, middle), -1.0, 1.0)) < 0.82 + ragged;
+        kept.faces[f] = std::acos(std::clamp(glm::dot(d, middle), -1.0, 1.0)) < 0.70 + ragged;
     }
     kept.vertices.assign(coarse.vertexCount(), false);
     for (size_t f = 0; f < coarse.faceCount(); ++f)

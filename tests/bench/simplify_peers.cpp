@@ -98,4 +98,20 @@ double rmsDistance(const Mesh& a, const Mesh& b, size_t samples)
     return std::sqrt(std::max(meanSquare(a, b, samples), meanSquare(b, a, samples))) / a.bounds().diagonal();
 }
 
+double cgalClosest(const Mesh& mesh, const std::vector<glm::dvec3>& points, double& makeSeconds, double& askSeconds)
+{
+    using Primitive = CGAL::AABB_face_graph_triangle_primitive<Surface>;
+    const Surface surface = surfaceOf(mesh);
+    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(faces(surface).first, faces(surface).second, surface);
+    makeSeconds = quickest(1, [&] {
+        tree.build();
+        tree.accelerate_distance_queries();
+    });
+    double sum = 0;
+    askSeconds = quickest(1, [&] {
+        for (const glm::dvec3& p : points) sum += std::sqrt(CGAL::to_double(tree.squared_distance({p.x, p.y, p.z})));
+    });
+    return sum;
+}
+
 }  // namespace mw::bench

@@ -60,6 +60,28 @@ class Process(Case):
         self.assertEqual(len(result["results"]), 1)
         self.assertTrue(result["results"][0]["summary"] or result["results"][0]["lists"])
 
+    def test_distance_to_another_file(self):
+        fine = self.source("fine.obj", "icosphere:subdivisions=4,radius=2")
+        coarse = self.source("coarse.obj", "icosphere:subdivisions=2,radius=2")
+        out = self.folder / "d.json"
+        self.ok("process", coarse, "--op", f"distance:other={fine}", "-o", out)
+        result = json.loads(out.read_text())["results"][0]
+        found = result["summary"]
+        # Vertices of the coarse one are vertices of the fine one; the middle of its largest face is farthest from the sphere.
+        self.assertLess(max(result["columns"][1]["values"]), 1e-6)
+        self.assertAlmostEqual(found["hausdorff %"], 100 * found["hausdorff"] / found["diagonal"], 6)
+        self.assertGreaterEqual(found["hausdorff"], found["rms"])
+        self.assertTrue(0.01 < found["hausdorff"] < 0.1, found)
+        onto = self.source("onto.obj", "icosphere:subdivisions=2,radius=3")
+        back = self.folder / "back.obj"
+        self.ok("process", onto, "--op", f"project-onto:other={fine}", "-o", back)
+        self.ok("process", back, "--op", f"distance:other={fine}", "-o", out)
+        self.assertLess(max(json.loads(out.read_text())["results"][0]["columns"][1]["values"]), 1e-5)
+        self.fails("process", coarse, "--op", "distance", "-o", out, says="other")
+        self.fails("process", coarse, "--op", "distance:other=nobody", "-o", out, says="nobody")
+        self.ok("render", coarse, "-o", self.folder / "d.png", "--style", f"heat:distance:other={fine}", "--size", "300x200")
+        self.ok("render", coarse, "-o", self.folder / "e.png", "--style", "heat:edge-dihedral:form=cosine", "--size", "300x200")
+
     def test_refusals(self):
         sphere = self.source("s.obj", "icosphere:subdivisions=1")
         out = self.folder / "out.glb"

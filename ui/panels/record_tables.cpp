@@ -62,7 +62,7 @@ RecordTable primitiveTable(const RecordMesh& m, const RecordPlace& place)
     for (size_t k = 0; k < 6; ++k) {
         const bool missing = k % 2 == 1 && (*six)[k] == (*six)[k - 1];
         t.cells.push_back({QString("V%1").arg(k), {To::Vertex, (*six)[k]}, {}});
-        if (missing) t.cells.back().missing = tr("none (v%1)").arg((*six)[k]);
+        if (missing) t.cells.back().missing = tr("none");
     }
     return t;
 }

@@ -110,7 +110,8 @@ void Records::makeTable(QWidget* parent)
     table_->setTabKeyNavigation(false);
     table_->setMouseTracking(true);
     table_->setWordWrap(false);
-    for (int c = 0; c < 4; ++c) table_->horizontalHeader()->setSectionResizeMode(c, QHeaderView::Stretch);
+    // Names as wide as they are, links share the rest.
+    for (int c = 0; c < 4; ++c) table_->horizontalHeader()->setSectionResizeMode(c, c % 2 ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
     table_->installEventFilter(this);
     connect(table_, &QTableWidget::itemClicked, this, [this](QTableWidgetItem* cell) { follow(cell); });
     connect(table_, &QTableWidget::itemEntered, this, [this](QTableWidgetItem* cell) { flash(cell); });
@@ -125,13 +126,14 @@ QWidget* Records::makeQueries(QWidget* parent)
     auto* grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(4);
-    auto* bar = new look::SectionBar(tr("Neighbours, by the nine queries"), box);
+    auto* bar = new look::SectionBar(tr("The nine queries"), box);
     grid->addWidget(bar, 0, 0, 1, 3);
     const QString kinds[] = {tr("vertex"), tr("edge"), tr("face")}, many[] = {tr("vertices"), tr("edges"), tr("faces")};
     for (int q = 0; q < 9; ++q) {
         auto* b = queries_[q] = new QPushButton(queryNames[q], box);
         b->setObjectName(QString("records-query-%1").arg(q));
         b->setCheckable(true);
+        b->setProperty("segment", true);
         b->setFixedHeight(22);
         b->setFocusPolicy(Qt::TabFocus);
         b->setToolTip(tr("The %1 beside this %2").arg(many[q % 3], kinds[q / 3]));
@@ -144,6 +146,7 @@ QWidget* Records::makeQueries(QWidget* parent)
             draw();
         });
     }
+    for (int c = 0; c < 3; ++c) grid->setColumnStretch(c, 1);
     answer_ = new QLabel(box);
     answer_->setObjectName("records-answer");
     answer_->setWordWrap(true);
@@ -162,7 +165,7 @@ QWidget* Records::makeQueries(QWidget* parent)
             update();
         }
     });
-    grid->addWidget(selectAnswer_, 5, 0);
+    grid->addWidget(selectAnswer_, 5, 0, 1, 3, Qt::AlignLeft);
     return box;
 }
 
@@ -206,6 +209,9 @@ void Records::addCell(int row, int column, const RecordCell& cell)
     auto* name = new QTableWidgetItem(cell.name);
     name->setFlags(Qt::ItemIsEnabled);
     name->setForeground(look::tone().text2);
+    QFont small = table_->font();
+    small.setPointSizeF(0.88 * small.pointSizeF());
+    name->setFont(small);
     name->setToolTip(cell.name);
     table_->setItem(row, column, name);
     if (cell.name.isEmpty()) return;

@@ -186,7 +186,7 @@ Frame decimation()
 Frame decimationStep()
 {
     Frame f = plain();
-    putStep(f, "decimate-quadric", bumpy(3), {{"ratio", 0.2}}, "collapse", 0.6);
+    putStep(f, "decimate-quadric", bumpy(3), {{"quality", std::string("textbook")}, {"ratio", 0.2}}, "collapse", 0.6);
     return f;
 }
 

@@ -31,13 +31,17 @@ bool chosen(const Operation& op, const ParameterValues& values, const char* name
     return false;
 }
 
-// The heap of collapses makes it n log n. How far an error carries is not known beforehand: half the faces, say.
+// The heap of the textbook makes it n log n. How far an error carries is not known beforehand: half the faces, say.
 Estimate decimation(const Operation& op, double n, const ParameterValues& values)
 {
     double left = numberOf(op, values, "ratio", 0.5) * n;
     if (chosen(op, values, "stop", "faces")) left = numberOf(op, values, "faces", left);
     if (chosen(op, values, "stop", "error")) left = 0.5 * n;
     left = std::clamp(left, 0.0, n);
+    // The quick qualities are linear but for caches, which end at some ten thousand faces.
+    const double caches = 1 + 0.05 * std::log2(n / 1e4 + 1);
+    const double each = chosen(op, values, "quality", "fast") ? 500 : chosen(op, values, "quality", "best") ? 1000 : 750;
+    if (!chosen(op, values, "quality", "textbook")) return {caches * (n * 200 + (n - left) * each), left, 130 * n};
     return {n * 150 + (n - left) * 150 * std::log2(n + 2), left, 200 * n};
 }
 

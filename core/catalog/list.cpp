@@ -37,6 +37,7 @@
 #include "core/repair/smooth.h"
 #include "core/repair/weld.h"
 #include "core/simplify/collapse_edge.h"
+#include "core/simplify/decimate_openmesh.h"
 #include "core/simplify/decimate_quadric.h"
 #include "core/simplify/decimate_vertices.h"
 #include "core/subdivide/split_dyadic.h"
@@ -134,6 +135,14 @@ std::span<const Operation> catalog()
                                             .attributes = {Carried::Surface, Carried::Surface, Carried::Gathered},
                                             .source = "core/simplify/decimate_quadric.cpp"},
                                            decimateQuadric),
+        entry<Mesh, DecimateOpenMesh, Mesh>({.id = "decimate-openmesh",
+                                             .title = "Simplify by OpenMesh",
+                                             .section = "3.1",
+                                             .summary = "OpenMesh's own decimater with its quadric module, as a reference.",
+                                             .category = "Simplify",
+                                             .attributes = {Carried::Dropped, Carried::Dropped, Carried::Dropped},
+                                             .source = "core/simplify/decimate_openmesh.cpp"},
+                                            decimateOpenMesh),
         entry<Mesh, SplitDyadic, Mesh>({.id = "split-dyadic",
                                         .title = "Dyadic split",
                                         .section = "3.2",

@@ -17,8 +17,9 @@ CollapseMesh::CollapseMesh(Mesh input, const Options& options, bool watched) : i
     scalePositions();
     findTwins();
     lockOddVertices();
-    markSeams();
-    joinWedges();  // before bends are marked: a bend is no seam
+    const SeamTest seams(input_, old_);
+    markSeams(seams);
+    if (seams.cornersCarry()) joinWedges();  // before bends are marked: a bend is no seam
     if (options.featureAngle < 180) markBends(options.featureAngle);
     classify();
     if (watched) {
@@ -29,14 +30,9 @@ CollapseMesh::CollapseMesh(Mesh input, const Options& options, bool watched) : i
 
 void CollapseMesh::readTriangles()
 {
-    if (input_.isTriangles()) {
-        oldVertex_ = input_.cornerVertex();
-    } else {
-        const Mesh::Triangulation& t = input_.triangulation();
-        oldVertex_ = t.vertices, corners_ = t.corners, oldFace_ = t.faces;
-    }
-    if (oldVertex_.size() >= size_t(none) / 2) throw mw::Error("the mesh has over 700 million triangles; cut it into parts first");
-    vertex_.assign(oldVertex_.begin(), oldVertex_.end());
+    old_ = OldTriangles(input_);
+    if (old_.vertices.size() >= size_t(none) / 2) throw mw::Error("the mesh has over 700 million triangles; cut it into parts first");
+    vertex_.assign(old_.vertices.begin(), old_.vertices.end());
     faces_ = faceSlots();
     into_.resize(input_.vertexCount());
     std::iota(into_.begin(), into_.end(), 0u);

@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/simplify/carried.h"
 #include "core/simplify/live_rank.h"
+#include "core/simplify/refusal.h"
 
 namespace mw {
-
-/// Why an edge may not be collapsed. The order is that of the lesson's words.
-enum class Refusal : uint8_t { None, Link, Turn, Fold, Feature, Locked, Valence, Error };
 
 /// What the tests found out, for the lesson.
 struct Verdict {
@@ -84,24 +83,20 @@ private:
     void scalePositions();
     void findTwins();
     void lockOddVertices();
-    void markSeams();
+    void markSeams(const SeamTest& seams);
     void markBends(double angle);
     void joinWedges();
     void classify();
-    bool differ(const Attribute& a, uint32_t cornerA, uint32_t cornerB) const;
     Refusal linkRefusal(uint32_t h, Verdict& v);
     Refusal shapeRefusal(uint32_t h, const glm::dvec3& p, Verdict& v) const;
     bool foldedBefore(uint32_t h, size_t i, size_t j, uint32_t rim) const;
     void closeFace(uint32_t h);
     void unite(std::vector<uint32_t>& parent, uint32_t a, uint32_t b);
-    uint32_t oldCorner(uint32_t c) const { return corners_.empty() ? c : corners_[c]; }
-    Stencils vertexRows(const std::vector<uint32_t>& kept) const;
-    Stencils cornerRows() const;
 
     Mesh input_;
     Options options_;
     std::vector<uint32_t> vertex_, twin_;
-    Shared<uint32_t> oldVertex_, corners_, oldFace_;  // of the triangles as read; the latter two empty when the input is triangles
+    OldTriangles old_;
     std::vector<uint8_t> sharp_, kind_;
     std::vector<float> crease_;  // by half-edge; empty when there are none
     std::vector<glm::dvec3> place_;
@@ -111,7 +106,6 @@ private:
     glm::dvec3 centre_{0};
     double scale_ = 1;
     LiveRank vertexRank_, faceRank_;
-    std::vector<const Attribute*> cornerValues_;  // what makes seams
     // Of the last star().
     std::vector<uint32_t> star_, fanV_, fanW_;
     bool openV_ = false, openW_ = false, tooMany_ = false;

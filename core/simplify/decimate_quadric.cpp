@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/simplify/collapse_mesh.h"
+#include "core/simplify/decimate_quick.h"
 #include "core/simplify/edge_heap.h"
 #include "core/simplify/quadric.h"
 
@@ -237,9 +238,7 @@ struct Shown {
     }
 };
 
-}  // namespace
-
-Generator decimateQuadric(Mesh input, DecimateQuadric parameters, Stage<Mesh>& stage)
+Generator decimateTextbook(Mesh input, DecimateQuadric parameters, Stage<Mesh>& stage)
 {
     Decimation d(std::move(input), parameters, stage.watched());
     CollapseMesh& mesh = d.mesh;
@@ -344,6 +343,14 @@ Generator decimateQuadric(Mesh input, DecimateQuadric parameters, Stage<Mesh>& s
         }
     }
     stage.finish(mesh.payload());
+}
+
+}  // namespace
+
+Generator decimateQuadric(Mesh input, DecimateQuadric parameters, Stage<Mesh>& stage)
+{
+    if (parameters.quality == DecimateQuadric::Quality::Textbook) return decimateTextbook(std::move(input), parameters, stage);
+    return decimateQuick(std::move(input), parameters, stage);
 }
 
 }  // namespace mw

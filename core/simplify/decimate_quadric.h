@@ -14,9 +14,11 @@
 namespace mw {
 
 struct DecimateQuadric {
+    enum class Quality { Textbook, Fast, Balanced, Best };
     enum class Stop { Ratio, Faces, Error };
     enum class Memory { None, Sum };
 
+    Quality quality = Quality::Balanced;
     Stop stop = Stop::Ratio;
     double ratio = 0.5;
     int64_t faces = 1000;
@@ -30,6 +32,10 @@ struct DecimateQuadric {
     template <class V>
     void describe(V& v)
     {
+        v.choice("quality", quality, {"textbook", "fast", "balanced", "best"},
+                 {.title = "Quality",
+                  .help = "textbook: a heap, the cheapest edge of all at each step. fast, balanced: buckets of about equal cost, many times quicker. "
+                          "best: afterwards vertices are moved to where the old surface is, twice the time of balanced."});
         v.choice("stop", stop, {"ratio", "faces", "error"}, {.title = "Stop at", .help = "What ends the simplification."});
         v.number("ratio", ratio,
                  {.title = "Ratio",
@@ -66,7 +72,8 @@ struct DecimateQuadric {
         v.choice("memory", memory, {"none", "sum"},
                  {.title = "Memory",
                   .help = "none: distances to the surface as it stands (closer result). sum: quadrics are added up, as in the paper.",
-                  .advanced = true});
+                  .advanced = true,
+                  .when = "quality=textbook"});
         v.number("border", border,
                  {.title = "Border weight",
                   .help = "How strongly borders, seams and features hold their place, against faces.",

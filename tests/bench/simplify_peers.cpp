@@ -9,6 +9,8 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_ratio_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_policies.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <glm/geometric.hpp>
 #include <random>
@@ -89,6 +91,17 @@ Mesh cgalGarlandHeckbert(const Mesh& mesh, double ratio, double& seconds)
         const sms::Bounded_normal_change_placement<Policies::Get_placement> placement(policies.get_placement());
         const sms::Count_ratio_stop_predicate<Surface> stop(ratio);
         sms::edge_collapse(s, stop, CGAL::parameters::get_cost(policies.get_cost()).get_placement(placement));
+    });
+    return meshOf(s);
+}
+
+Mesh cgalLindstromTurk(const Mesh& mesh, double ratio, double& seconds)
+{
+    Surface s = surfaceOf(mesh);
+    seconds = quickest(1, [&] {
+        const sms::Count_ratio_stop_predicate<Surface> stop(ratio);
+        sms::edge_collapse(s, stop,
+                           CGAL::parameters::get_cost(sms::LindstromTurk_cost<Surface>()).get_placement(sms::LindstromTurk_placement<Surface>()));
     });
     return meshOf(s);
 }

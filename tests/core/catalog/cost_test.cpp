@@ -18,6 +18,8 @@ TEST(Cost, GrowsWithTheWork)
     const double small = told("decimate-quadric", 100'000).seconds, large = told("decimate-quadric", 1'000'000).seconds;
     EXPECT_GT(large, 10 * small);
     EXPECT_LT(large, 30 * small);
+    EXPECT_LT(told("decimate-quadric", 1'000'000, "quality=fast").seconds, large);
+    EXPECT_GT(told("decimate-quadric", 1'000'000, "quality=textbook").seconds, large);
     EXPECT_GT(told("decimate-quadric", 100'000, "ratio=0.1").seconds, told("decimate-quadric", 100'000, "ratio=0.9").seconds);
     EXPECT_EQ(told("decimate-quadric", 100'000, "stop=faces,faces=20000").result.faces, 20'000u);
     // Loop makes four faces of one, at each level.

@@ -38,7 +38,8 @@ TEST(Decimate, KeepsManifoldsAndReachesTheCount)
     for (const char* name :
          {"boundary/stanford-bunny.obj", "closed_genus0/fandisk.off", "closed_higher_genus/rocker-arm.obj", "closed_higher_genus/3holes.off"}) {
         const Mesh mesh = meshOf(data / "meshes" / name);
-        for (const char* parameters : {"ratio=0.1", "ratio=0.05,optimal=false", "ratio=0.05,memory=sum"}) {
+        for (const char* parameters :
+             {"ratio=0.1", "ratio=0.05,optimal=false", "ratio=0.1,quality=textbook", "ratio=0.05,quality=textbook,memory=sum"}) {
             const Mesh out = applied("decimate-quadric", mesh, parameters);
             const size_t wanted = size_t(std::llround(std::stod(std::string(parameters).substr(6)) * double(mesh.faceCount())));
             EXPECT_LE(out.faceCount(), wanted) << name << " " << parameters;
@@ -59,12 +60,12 @@ TEST(Decimate, TorusKeepsItsHole)
     EXPECT_TRUE(topologyOf(applied("decimate-quadric", mesh, "ratio=0")).manifold()) << "as far as it goes";
 }
 
-TEST(Decimate, SteppedIsTheSameAsUnwatched)
+void expectSteppedIsTheSame(const Mesh& mesh, const char* parameters, std::initializer_list<const char*> wanted)
 {
     const Operation& op = operation("decimate-quadric");
-    const Mesh mesh = wave(12);
-    const uint64_t atOnce = contentHash(apply(op, mesh, {}));
-    Stepper s(stepping(op, mesh, {}));
+    const ParameterValues values = parsed(op.parameters, parameters);
+    const uint64_t atOnce = contentHash(apply(op, mesh, values));
+    Stepper s(stepping(op, mesh, values));
     std::set<std::string> phases;
     while (s.forward()) {
         phases.insert(s.step().phase);
@@ -81,8 +82,15 @@ TEST(Decimate, SteppedIsTheSameAsUnwatched)
             }
         }
     }
-    EXPECT_EQ(contentHash(valueOf(s.value())), atOnce);
-    for (const char* p : {"build", "pick", "collapse", "update"}) EXPECT_TRUE(phases.contains(p)) << p;
+    EXPECT_EQ(contentHash(valueOf(s.value())), atOnce) << parameters;
+    for (const char* p : wanted) EXPECT_TRUE(phases.contains(p)) << parameters << " " << p;
+}
+
+TEST(Decimate, SteppedIsTheSameAsUnwatched)
+{
+    expectSteppedIsTheSame(wave(12), "quality=textbook", {"build", "pick", "collapse", "update"});
+    for (const char* quality : {"quality=fast", "quality=balanced", "quality=best"})
+        expectSteppedIsTheSame(wave(12), quality, {"sort", "due", "collapsed"});
 }
 
 TEST(Decimate, BordersStay)

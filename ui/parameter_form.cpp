@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QPushButton>
 #include <QSlider>
 #include <QStyle>
@@ -90,6 +91,18 @@ QString sentence(const std::string& word)
     if (!s.isEmpty()) s[0] = s[0].toUpper();
     return s;
 }
+
+/// Its list is made when it opens.
+class LateBox : public QComboBox {
+public:
+    explicit LateBox(QWidget* parent) : QComboBox(parent) {}
+    std::function<void()> fill;
+    void showPopup() override
+    {
+        fill();
+        QComboBox::showPopup();
+    }
+};
 
 }  // namespace
 
@@ -193,6 +206,9 @@ void ParameterForm::makeRow(Row& row)
             row.editor = row.field = box;
             break;
         }
+        case ParameterType::Object:
+            row.editor = objectEditor(row);
+            break;
         default:
             row.editor = textEditor(row);
     }
@@ -328,6 +344,45 @@ QWidget* ParameterForm::textEditor(Row& row)
     connect(edit, &QLineEdit::editingFinished, this, [this, p = row.parameter, edit] { change(p, edit->text().toStdString(), true); });
     row.show = [edit](const ParameterValue& v) { edit->setText(QString::fromStdString(std::get<std::string>(v))); };
     return row.field = edit;
+}
+
+// Nodes from a list; sources ("torus:radius=2") are typed.
+QWidget* ParameterForm::objectEditor(Row& row)
+{
+    const Parameter& p = row.parameter;
+    auto* box = new LateBox(this);
+    box->setEditable(true);
+    box->setInsertPolicy(QComboBox::NoInsert);
+    box->setCompleter(nullptr);
+    box->setFocusPolicy(Qt::StrongFocus);
+    box->setMinimumContentsLength(8);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->installEventFilter(this);
+    box->lineEdit()->setPlaceholderText("Choose the " + QString::fromStdString(p.about.title).toLower());
+    const auto now = [this, p] { return QString::fromStdString(std::get<std::string>(valueOf(p, values_))); };
+    box->fill = [this, box, now] {
+        box->clear();
+        for (const std::string& name : objects_.names ? objects_.names() : std::vector<std::string>()) box->addItem(QString::fromStdString(name));
+        if (box->count() == 0 && !objects_.file) box->addItem("No other mesh is in the scene", "none");
+        if (box->count() > 0) box->insertSeparator(box->count());
+        if (objects_.file) box->addItem("File...", "file");
+        box->setCurrentIndex(box->findText(now()));
+        box->setEditText(now());
+    };
+    connect(box, &QComboBox::activated, this, [this, p, box, now](int i) {
+        const QString what = box->itemData(i).toString(), name = box->itemText(i);
+        if (what.isEmpty()) return change(p, name.toStdString(), true);
+        box->setEditText(now());
+        if (what == "file")
+            objects_.file([form = QPointer(this), p](const std::string& made) {
+                if (form) form->change(p, made, true);
+            });
+    });
+    connect(box->lineEdit(), &QLineEdit::editingFinished, this, [this, p, box] { change(p, box->currentText().trimmed().toStdString(), true); });
+    row.show = [box](const ParameterValue& v) {
+        if (const QString text = QString::fromStdString(std::get<std::string>(v)); box->currentText() != text) box->setEditText(text);
+    };
+    return row.field = box;
 }
 
 void ParameterForm::change(const Parameter& p, ParameterValue v, bool done)

@@ -31,6 +31,13 @@ protected:
     void wheelEvent(QWheelEvent* e) override;
 };
 
+/// What a parameter of type object can be set to; whoever makes a form for such parameters says it.
+struct ObjectChoices {
+    std::function<std::vector<std::string>()> names;  ///< nodes that show a mesh; asked each time the list opens
+    /// Asks for a file and makes a node of it; `then` gets its name. Without it there is no "File...".
+    std::function<void(std::function<void(const std::string& name)> then)> file;
+};
+
 class ParameterForm : public QWidget {
     Q_OBJECT
 
@@ -41,6 +48,7 @@ public:
     bool editing() const { return editing_ || debounce_.isActive(); }
     void wrapWhenNarrow();  ///< labels stand over their fields where there is no room beside them
     QSize minimumSizeHint() const override;
+    void setObjects(ObjectChoices choices) { objects_ = std::move(choices); }
     QWidget* field(const QString& name) const;  ///< the spin box, check box, combo or text field of a parameter
 
 signals:
@@ -59,6 +67,7 @@ private:
     QWidget* choiceEditor(Row& row);
     QWidget* pointEditor(Row& row);
     QWidget* textEditor(Row& row);
+    QWidget* objectEditor(Row& row);
     void change(const Parameter& p, ParameterValue v, bool done);
     void refresh();
     void arrange();
@@ -66,6 +75,7 @@ private:
     bool eventFilter(QObject* o, QEvent* e) override;
 
     std::vector<Row> rows_;
+    ObjectChoices objects_;
     ParameterValues values_;
     QTimer debounce_;
     bool editing_ = false, showing_ = false, wraps_ = false, wrapped_ = false;

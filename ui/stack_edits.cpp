@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/scene/animate_morph.h"
 #include "ui/edit_commands.h"
 #include "ui/evaluation_service.h"
+#include "ui/object_choices.h"
 
 namespace mw::edits {
 namespace {
@@ -49,7 +51,16 @@ QString titleOf(const Modifier& m)
 
 void addModifier(Document& d, MeshId id, const Operation& op, ParameterValues values)
 {
-    runQuick(d, {"modify", {{"node", nodeWith(d, id)}, {"op", op.id}, {"with", printed(op.parameters, values)}}});
+    if (values.empty()) values = onlyOthers(d.scene(), id, op);
+    const std::string node = nodeWith(d, id);
+    const EditCall modify{"modify", {{"node", node}, {"op", op.id}, {"with", printed(op.parameters, values)}}};
+    // What gives a mesh something to turn into plays at once, unless a clip of the person's own does.
+    if (op.id != "morph" || playsMorphs(d.scene(), nodeOf(d.scene(), node))) {
+        runQuick(d, modify);
+        return;
+    }
+    d.cancelPreview();
+    commitEdits(d, editName(d.scene(), modify), {modify, {"animate-morph", {{"node", node}}}});
 }
 
 void removeModifier(Document& d, MeshId id, size_t i)

@@ -11,6 +11,7 @@ namespace mw::edits {
 MeshId activeMesh(const Document& document);
 QString titleOf(const Modifier& m);  ///< of its operation, or the id when unknown here
 
+/// Without values, parameters that name another mesh get the only other one there is. A morph comes with a clip that plays it.
 void addModifier(Document& document, MeshId mesh, const Operation& op, ParameterValues values = {});
 void removeModifier(Document& document, MeshId mesh, size_t index);
 void moveModifier(Document& document, MeshId mesh, size_t from, size_t to);

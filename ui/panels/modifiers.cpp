@@ -8,10 +8,12 @@
 
 #include "ui/edit_commands.h"
 #include "ui/evaluation_service.h"
+#include "ui/object_choices.h"
 #include "ui/panels/add_modifier_popup.h"
 #include "ui/panels/base_error.h"
 #include "ui/panels/empty_state.h"
 #include "ui/panels/modifier_row.h"
+#include "ui/playback.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
 #include "ui/words.h"
@@ -145,7 +147,10 @@ private:
     void add(const Operation& op)
     {
         if (!session_.document.scene().find(mesh_)) return;
+        const size_t clips = session_.document.scene().clips().size();
         edits::addModifier(session_.document, mesh_, op);
+        if (session_.document.scene().clips().size() > clips && session_.playback)
+            session_.playback->setClip(session_.document.scene().clips().back());
         openId_ = stack().back().id;
         showLevel(stack().size());
         soon();
@@ -254,6 +259,13 @@ private:
         s.time = timeText(l.seconds);
         s.error = run.running ? QString() : QString::fromStdString(l.error);
         if (!run.running) s.waits = l.waits;
+        const Operation* op = findOperation(m.operation);
+        if (!s.error.isEmpty() && op && wantsOther(*op, m.values)) {  // not wrong, only not yet said
+            s.error.clear();
+            s.counts = "choose the other mesh";
+            s.time.clear();
+            return s;
+        }
         if (!s.error.isEmpty())
             s.counts = "not run";
         else if (before.faceCount() != l.mesh.faceCount())
@@ -284,6 +296,7 @@ private:
         result_->set(level >= object->stack.size(), "Result", e ? countsText(e->result()) : QString());
         for (size_t i = 0; i < rows_.size(); ++i) {
             rows_[i].row->setOpen(rows_[i].id == openId_, object->stack[i]);
+            if (ParameterForm* form = rows_[i].row->form()) form->setObjects(objectChoices(session_, mesh_, this));
             RowState s = stateOf(i, e.get(), run);
             if (run.cancelled && i == run.level) s.error = "Cancelled. The view shows the last result; change a parameter to run it again.";
             if (!run.failure.isEmpty() && i == run.level) s.error = run.failure;

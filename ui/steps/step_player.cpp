@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/look.h"
+#include "ui/object_choices.h"
 #include "ui/parameter_form.h"
 #include "ui/steps/step_history.h"
 #include "ui/steps/step_lists.h"
@@ -270,6 +271,8 @@ void StepPlayer::refreshForm()
         delete form_;
         formOf_ = steps_.operation();
         formBox_->addWidget(form_ = new ParameterForm(formOf_->parameters, steps_.values(), this));
+        const Node* shown = session_.document.scene().find(session_.document.selection().active());
+        form_->setObjects(objectChoices(session_, shown ? shown->mesh : MeshId{}, this));
         connect(form_, &ParameterForm::committed, &steps_, [this](const ParameterValues& values) { steps_.setValues(values); });
     }
     form_->setValues(steps_.values());

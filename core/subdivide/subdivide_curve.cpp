@@ -1,69 +1,18 @@
 #include "core/subdivide/subdivide_curve.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
-#include "core/error.h"
+#include "core/subdivide/curve_mask.h"
+#include "core/subdivide/curve_polygon.h"
 
 namespace mw {
 
 namespace {
 
-constexpr size_t mostPoints = 4'000'000;
+using namespace curves;
 
-using Points = Array<glm::dvec3>;
-
-/// A polygon that goes on beyond its ends as its reflection in the end point: what lies there is smooth whatever the weights.
-class Polygon {
-public:
-    Polygon(const Points& points, bool closed) : p_(points), closed_(closed) {}
-    glm::dvec3 at(int64_t i) const
-    {
-        const auto n = int64_t(p_.size());
-        if (closed_) return p_[size_t((i % n + n) % n)];
-        if (i < 0) return 2.0 * p_.front() - p_[1];
-        if (i >= n) return 2.0 * p_.back() - p_[size_t(n - 2)];
-        return p_[size_t(i)];
-    }
-    /// An inner one of an open polygon, any of a closed one.
-    bool moves(size_t i) const { return closed_ || (i > 0 && i + 1 < p_.size()); }
-
-private:
-    const Points& p_;
-    bool closed_;
-};
-
-size_t segments(size_t points, bool closed)
-{
-    return closed ? points : points - 1;
-}
-
-/// The greatest angle between neighbouring segments, degrees: what is left of the kinks.
-double greatestKink(const Points& p, bool closed)
-{
-    double most = 0;
-    const Polygon polygon(p, closed);
-    for (size_t i = 0; i < p.size(); ++i) {
-        if (!polygon.moves(i)) continue;
-        const glm::dvec3 a = p[i] - polygon.at(int64_t(i) - 1), b = polygon.at(int64_t(i) + 1) - p[i];
-        most = std::max(most, std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-    }
-    return glm::degrees(most);
-}
-
-void check(const Curve& input, bool closed, int64_t levels)
-{
-    const size_t n = input.points.size();
-    if (n < (closed ? 3u : 2u)) throw Error(closed ? "a closed curve wants three points or more" : "a curve wants two points or more");
-    if (double(n) * std::pow(2.0, double(levels)) > double(mostPoints))
-        throw Error("the curve would have more than " + std::to_string(mostPoints) + " points; take fewer levels");
-}
-
-}  // namespace
-
-Generator subdivideCurve(Curve input, SubdivideCurve p, Stage<Curve>& stage)
+Generator byScheme(Curve input, SubdivideCurve p, Stage<Curve>& stage)
 {
     const bool closed = p.ends == SubdivideCurve::Ends::AsGiven ? input.closed : p.ends == SubdivideCurve::Ends::Closed;
     check(input, closed, p.levels);
@@ -147,6 +96,15 @@ Generator subdivideCurve(Curve input, SubdivideCurve p, Stage<Curve>& stage)
             .progress(double(level) / double(p.levels));
     }
     stage.finish(Curve{std::move(old), control, closed});
+}
+
+}  // namespace
+
+Generator subdivideCurve(Curve input, SubdivideCurve p, Stage<Curve>& stage)
+{
+    if (p.scheme != SubdivideCurve::Scheme::Mask) return byScheme(std::move(input), std::move(p), stage);
+    CurveMask mask{weightsIn(p.old, "old points"), weightsIn(p.fresh, "new points")};
+    return byMask(std::move(input), std::move(p), std::move(mask), stage);
 }
 
 }  // namespace mw

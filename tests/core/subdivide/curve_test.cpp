@@ -86,6 +86,44 @@ TEST(SubdivideCurve, BSplineIsTheBSpline)
         }
 }
 
+// Both of the book's schemes as masks; any other weights against the sum written out.
+TEST(SubdivideCurve, AMaskRepeatsTheSchemesItDescribes)
+{
+    for (const bool closed : {true, false}) {
+        Curve c = ring(8);
+        c.closed = closed;
+        const std::pair<const char*, const char*> same[] = {{"scheme=four-point", "old=1,new=-1/16 9/16 9/16 -1/16"},
+                                                            {"scheme=positive", "old=1,new=0.125 0.375 3/8 1/8"},
+                                                            {"scheme=b-spline", "old=1/8 6/8 1/8,new=1/2 1/2"},
+                                                            {"scheme=b-spline", "old=1/8 6/8 1/8,new=0 4/8 4/8"}};
+        for (const auto& [scheme, mask] : same) {
+            const Curve a = refined(c, "levels=3," + std::string(scheme)), b = refined(c, "levels=3,scheme=mask," + std::string(mask));
+            ASSERT_EQ(a.points.size(), b.points.size());
+            for (size_t i = 0; i < a.points.size(); ++i) EXPECT_LT(glm::distance(a.points[i], b.points[i]), 1e-14) << mask << " " << i;
+        }
+    }
+    const Curve c = ring(9), fine = refined(c, "levels=1,scheme=mask,old=0.1 0.2 0.4 0.2 0.1,new=-0.5 1.5");
+    const auto p = [&](size_t i) { return c.points[i % 9]; };
+    for (size_t i = 0; i < 9; ++i) {
+        EXPECT_LT(glm::distance(fine.points[2 * i], 0.1 * (p(i + 7) + p(i + 2)) + 0.2 * (p(i + 8) + p(i + 1)) + 0.4 * p(i)), 1e-14);
+        EXPECT_LT(glm::distance(fine.points[2 * i + 1], 1.5 * p(i + 1) - 0.5 * p(i)), 1e-14);
+    }
+}
+
+TEST(SubdivideCurve, AMaskMustSumToOne)
+{
+    EXPECT_EQ(weightsIn(" 1/8, 6/8 +0.125", "points"), (std::vector<double>{0.125, 0.75, 0.125}));
+    for (const char* bad : {"", "1/2 1/3", "1/0", "a", "1/2 1/2x", "1 nan 0", "1 0 0 0 0 0 0 0 0 0 0 0 0 0"})
+        EXPECT_THROW(weightsIn(bad, "points"), Error) << bad;
+    EXPECT_THROW(refined(ring(5), "scheme=mask,old=1/2 1/2"), Error);
+    try {
+        weightsIn("1/2 1/4", "new points");
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("sum to 0.75"), std::string::npos) << e.what();
+    }
+}
+
 double kinkAfter(const std::string& parameters)
 {
     const Operation& op = operation("subdivide-curve");

@@ -10,6 +10,7 @@
 #include "app/cli/output.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/placement_options.h"
+#include "app/cli/render_compare.h"
 #include "app/cli/verb.h"
 #include "core/catalog/others.h"
 #include "core/io/io.h"
@@ -95,6 +96,7 @@ struct Wanted {
     Camera camera;
     bool cameraGiven = false;
     int turntable = 0;
+    std::vector<Variant> variants;
     std::string show;
     ClipOptions when;
     std::optional<std::string> motion;
@@ -110,6 +112,7 @@ Wanted take(Arguments& arguments)
     const std::optional<std::string> view = arguments.value("--view");
     const std::optional<Camera> camera = takeCamera(arguments);
     const std::optional<long> turntable = arguments.number("--turntable", 2, 3600);
+    w.variants = takeVariants(arguments);
     w.show = arguments.value("--show").value_or("");
     w.when = takeClipOptions(arguments);
     w.motion = arguments.value("--motion");
@@ -121,6 +124,7 @@ Wanted take(Arguments& arguments)
         throw UsageError("--show wants mesh, bones or both, not \"" + w.show + "\"");
     if (camera && view) throw UsageError("--camera and --view both say from where; give one");
     if (camera && turntable) throw UsageError("--camera stands still; a turntable takes --view");
+    if (turntable && !w.variants.empty()) throw UsageError("--compare makes one picture; leave --turntable out");
     if (isAnimation(w.out) && !turntable) throw UsageError("an .apng file is a turntable: say --turntable N, or write a .png");
     if (camera) w.camera = *camera;
     w.cameraGiven = camera.has_value();
@@ -128,6 +132,20 @@ Wanted take(Arguments& arguments)
     if (!camera && !setView(w.camera, view.value_or("32,17")))
         throw UsageError("--view wants front, back, left, right, top, bottom or AZIMUTH,ELEVATION in degrees, not \"" + *view + "\"");
     return w;
+}
+
+void drawVariants(const Frame& base, const Wanted& w, const Scene& scene, Working& working)
+{
+    working.now("comparing");
+    std::vector<Frame> frames = variantFrames(base, w.variants, working.progress());
+    if (w.look.metric)
+        for (Frame& f : frames) colourBy(f, *w.look.metric, scene, working.progress());
+    shareRange(frames);
+    const PictureSize each = viewSize(w.size, frames.size());
+    if (!w.cameraGiven) shareCamera(frames, double(each.width) / each.height);
+    working.now("drawing");
+    Offscreen offscreen;
+    writePng(sideBySide(offscreen, frames, w.variants, w.size), w.out);
 }
 
 int run(Arguments& arguments)
@@ -146,6 +164,10 @@ int run(Arguments& arguments)
     choose(frame, w.show);
     frame.camera = w.camera;
     frame.options = w.look.options;
+    if (!w.variants.empty()) {
+        drawVariants(frame, w, in.scene, working);
+        return 0;
+    }
     if (w.look.metric) colourBy(frame, *w.look.metric, in.scene, working.progress());
     const double aspect = double(w.size.width) / w.size.height;
     if (w.turntable) {
@@ -165,7 +187,8 @@ int run(Arguments& arguments)
 const Verb renderVerb{
     "render", "a picture of a file, without a display",
     "render FILE -o PNG [--time S] [--clip NAME|#INDEX] [--motion FILE] [--show mesh|bones|both] [--size WxH] [--view VIEW]\n"
-    "       [--camera EYE/TARGET/FOV] [--turntable N] [--style STYLE] [--light LIGHT] [--light-turn DEGREES] [--shadows]\n"
+    "       [--camera EYE/TARGET/FOV] [--turntable N] [--compare OP --compare OP ...] [--style STYLE] [--light LIGHT] [--light-turn DEGREES] "
+    "[--shadows]\n"
     "       [--no-grid] [--theme dark|light] [--transparent] [--unit UNIT] [--up y|z|x]\n\n"
     "  --time S        seconds into the clip; without --time and --clip the file rests\n"
     "  --clip CLIP     by name, or #0 for the first one, which is taken unless said\n"
@@ -174,7 +197,9 @@ const Verb renderVerb{
     "  --size WxH      pixels, 1280x800 unless said\n"
     "  --view VIEW     front, back, left, right, top, bottom, or AZIMUTH,ELEVATION in degrees; 32,17 unless said\n"
     "  --camera CAM    where the eye is, what it looks at, and the vertical angle in degrees: 4,3,2/0,0,0/40\n"
-    "  --turntable N   N pictures of a whole turn, -o turn.png gives turn-000.png ...; -o turn.apng one that plays\n" MESHWRIGHT_LOOK_HELP
+    "  --turntable N   N pictures of a whole turn, -o turn.png gives turn-000.png ...; -o turn.apng one that plays\n"
+    "  --compare OP    a view with this operation done (subdivide-loop:levels=2; as-is: nothing), beside those of the other --compare: one\n"
+    "                  camera, and with --style heat one range of values\n" MESHWRIGHT_LOOK_HELP
     "  --unit UNIT, --up y|z|x   how the file's numbers are meant; see meshwright convert --help\n",
     run};
 

@@ -38,6 +38,15 @@ class Pictures(Case):
         seen = {style: self.picture(sphere, "--style", style) for style in ("shaded", "flat", "wire", "heat:vertex-valence")}
         self.assertEqual(len(set(seen.values())), len(seen), "two styles look the same")
 
+    def test_two_results_side_by_side(self):
+        sphere = self.source("s.glb", "icosphere:subdivisions=1")
+        alone = self.picture(sphere, "--style", "flat")
+        both = self.picture(sphere, "--style", "flat", "--compare", "as-is", "--compare", "subdivide-loop:levels=1")
+        heat = self.picture(sphere, "--style", "heat:vertex-valence", "--compare", "as-is", "--compare", "subdivide-loop:levels=1")
+        self.assertEqual(len({alone, both, heat}), 3)
+        self.fails("render", sphere, "-o", self.folder / "x.png", "--compare", "as-is", code=2, says="twice")
+        self.fails("render", sphere, "-o", self.folder / "x.png", "--compare", "as-is", "--compare", "stripify", code=2, says="stripify")
+
     def test_the_same_twice(self):
         sphere = self.source("s.glb", "icosphere:subdivisions=2")
         self.assertEqual(self.picture(sphere), self.picture(sphere))

@@ -48,7 +48,8 @@ json drawFigure(Offscreen& offscreen, const figures::Figure& f, const Wanted& w)
 {
     figures::Page page(w.theme.value_or(Theme::Light));
     f.make(page);
-    const figures::Page::Made made = page.draw(offscreen, std::string("Figure ") + f.number + "   " + f.title, float(w.scale));
+    const figures::Page::Made made =
+        page.draw(offscreen, std::string(f.number[0] == 'T' ? "" : "Figure ") + f.number + "   " + f.title, float(w.scale));
     const std::string name = std::string(f.id) + ".png";
     writePng(made.picture, (w.folder / name).string());
     json j{{"id", f.id}, {"figure", f.number}, {"title", f.title}, {"proves", f.proves}, {"captions", made.captions}, {"file", name}};

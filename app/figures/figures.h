@@ -6,6 +6,7 @@ namespace mw::figures {
 
 // One file each, one line each in figures.cpp.
 std::vector<Figure> chapter2Figures();             ///< chapter2.cpp
+std::vector<Figure> chapter2StructureFigures();    ///< chapter2_structures.cpp
 std::vector<Figure> chapter3CostFigures();         ///< chapter3_costs.cpp: 3.01 to 3.09
 std::vector<Figure> chapter3CurveFigures();        ///< chapter3_curves.cpp: 3.10 to 3.12
 std::vector<Figure> chapter3SubdivisionFigures();  ///< chapter3_subdivision.cpp: 3.13 to 3.24

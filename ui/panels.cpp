@@ -1,4 +1,5 @@
 #include "ui/panel.h"
+#include "ui/panels/curve_lab.h"
 #include "ui/panels/generators.h"
 #include "ui/panels/history.h"
 #include "ui/panels/inspector.h"
@@ -32,6 +33,7 @@ const std::vector<PanelEntry>& panels()
         {"lessons", "Lessons", "What can be learnt, by chapter", makeLessonsPanel},
         {"lesson-text", "Lesson text", "The text of the chosen lesson", makeLessonTextPanel},
         {"step-player", "Step player", "Phase, formula and numbers of the running algorithm", makeStepPlayerPanel},
+        {"lab", "Lab", "Curves by subdivision of a polygon drawn by hand", makeCurveLabPanel},
         {"source", "Source", "The algorithm's own source, at the line that runs", makeSourcePanel},
         {"timeline", "Timeline", "Clips, their keys and the playhead", makeTimelinePanel},
         {"painter", "Painter", "The brush, layers of the ground, height maps in and out", makePainterPanel},

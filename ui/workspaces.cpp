@@ -17,7 +17,7 @@
 namespace mw {
 namespace {
 
-constexpr int layoutVersion = 4;
+constexpr int layoutVersion = 5;
 constexpr int narrowBelow = 1400;  // logical pixels; there docks share cells
 
 struct Cell {
@@ -34,11 +34,11 @@ QList<Cell> cellsOf(const QString& workspace, bool narrow)
     if (workspace == "Learn") {
         if (narrow)
             return {{left, {"lessons", "outliner", "lesson-text"}, 0, 276},
-                    {right, {"step-player", "records", "inspector"}, 0, 340},
+                    {right, {"step-player", "records", "lab", "inspector"}, 0, 340},
                     {bottom, {"source", "plot"}, 200, 0}};
         return {{left, {"lessons", "outliner"}, 456, 292},
                 {left, {"lesson-text"}, 0, 292},
-                {right, {"step-player", "records", "inspector"}, 0, 392},
+                {right, {"step-player", "records", "lab", "inspector"}, 0, 392},
                 {bottom, {"source"}, 250, 0},
                 {bottom, {"plot"}, 250, 368}};
     }

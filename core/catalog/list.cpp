@@ -24,8 +24,10 @@
 #include "core/metrics/valence.h"
 #include "core/metrics/vertex_planarity.h"
 #include "core/metrics/vertex_quadric.h"
-#include "core/parameterize/embed_planar.h"
 #include "core/morph/morph.h"
+#include "core/parameterize/cut.h"
+#include "core/parameterize/embed_planar.h"
+#include "core/parameterize/embed_spherical.h"
 #include "core/repair/damaged_sphere.h"
 #include "core/repair/fill_holes.h"
 #include "core/repair/normalise.h"
@@ -264,6 +266,14 @@ std::span<const Operation> catalog()
                                     .attributes = {Carried::Gathered, Carried::Gathered, Carried::Gathered},
                                     .source = "core/mesh/reorder.cpp"},
                                    reorder),
+        entry<Mesh, Cut, Mesh>({.id = "cut",
+                                .title = "Cut open",
+                                .section = "3.3",
+                                .summary = "Opens a mesh along edges, given or found, so that it can be laid flat.",
+                                .category = "Unwrap",
+                                .attributes = {Carried::Gathered, Carried::Same, Carried::Same},
+                                .source = "core/parameterize/cut.cpp"},
+                               cut),
         entry<Mesh, EmbedPlanar, Mesh>({.id = "embed-planar",
                                         .title = "Planar embedding",
                                         .section = "3.3.2",
@@ -288,6 +298,15 @@ std::span<const Operation> catalog()
                                     .attributes = {Carried::Same, Carried::Same, Carried::Same},
                                     .source = "core/mesh/weighted_normals.cpp"},
                                    normals),
+        entry<Mesh, EmbedSpherical, Mesh>({.id = "embed-spherical",
+                                           .title = "Spherical embedding",
+                                           .section = "3.3.3",
+                                           .summary = "Lays a closed mesh without holes out on a sphere: texture coordinates from longitude and latitude.",
+                                           .category = "Unwrap",
+                                           .steps = true,
+                                           .attributes = {Carried::Same, Carried::NotApplicable, Carried::Same},
+                                           .source = "core/parameterize/embed_spherical.cpp"},
+                                          embedSpherical),
         entry<Mesh, VertexValence, Table>({.id = "vertex-valence",
                                            .title = "Valence of vertices",
                                            .section = "2.3",

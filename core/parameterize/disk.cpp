@@ -37,10 +37,10 @@ void expectDisk(const Mesh& mesh)
     if (!t.orientable) refuse("has only one side (like a Moebius band). Add Orient faces with cut before it.");
     if (!t.consistentlyOriented) refuse("has neighbouring faces turned against each other. Add Orient faces before it.");
     if (t.components > 1) refuse("has " + std::to_string(t.components) + " pieces. Keep one of them, or separate them into objects.");
-    if (t.closed) refuse("is closed. Cut it open before (modifier Cut).");
+    if (t.closed) refuse("is closed. Cut it open before (modifier Cut open).");
     if (t.boundaryLoops.size() > 1)
-        refuse("has " + std::to_string(t.boundaryLoops.size()) + " boundaries. Fill the holes, or cut it open before (modifier Cut joins them).");
-    if (t.euler != 1) refuse("has genus " + std::to_string(t.genus.value_or(0)) + ". Cut it open before (modifier Cut).");
+        refuse("has " + std::to_string(t.boundaryLoops.size()) + " boundaries. Fill the holes, or cut it open before (modifier Cut open joins them).");
+    if (t.euler != 1) refuse("has genus " + std::to_string(t.genus.value_or(0)) + ". Cut it open before (modifier Cut open).");
 }
 
 /// Lengths of the edges of the border, the first from border[0].

@@ -67,8 +67,9 @@ Estimate estimate(const Operation& op, double n, const ParameterValues& values)
     if (op.id == "decimate-quadric") return decimation(op, n, values);
     if (op.category == "Subdivide") return subdivision(op, n, values);
     if (op.id == "smooth") return smoothing(op, n, values);
-    static const std::map<std::string, double> perFace{{"weld", 80},     {"repair", 340},  {"orient", 190},  {"fill-holes", 350},
-                                                       {"normalise", 3}, {"reorder", 200}, {"normals", 150}, {"decimate-vertices", 2500}};
+    static const std::map<std::string, double> perFace{{"weld", 80},        {"repair", 340},  {"orient", 190},
+                                                       {"fill-holes", 350}, {"normalise", 3}, {"reorder", 200},
+                                                       {"morph", 25000},    {"normals", 150}, {"decimate-vertices", 2500}};
     const auto known = perFace.find(op.id);
     return {n * (known == perFace.end() ? 300 : known->second), n, 100 * n};
 }

@@ -8,6 +8,7 @@
 #include "core/morph/morph_mesh.h"
 #include "core/morph/overlay_morph.h"
 #include "core/morph/parametric_morph.h"
+#include "core/morph/star_centre.h"
 
 namespace mw {
 
@@ -50,11 +51,17 @@ bool sameFaces(const Mesh& a, const Mesh& b)
            std::ranges::equal(a.cornerVertex(), b.cornerVertex());
 }
 
+bool starShaped(const Mesh& mesh)
+{
+    const MorphMesh m = MorphMesh::of(mesh);
+    return starCentre(m.positions, m.corners).has_value();
+}
+
 Method chosen(const Mesh& mesh, const Mesh& other)
 {
     if (sameFaces(mesh, other)) return Method::Corresponding;
     const Kind a = kindOf(mesh), b = kindOf(other);
-    if (a.shape == Shape::Sphere && b.shape == Shape::Sphere) return Method::Projective;
+    if (a.shape == Shape::Sphere && b.shape == Shape::Sphere) return starShaped(mesh) && starShaped(other) ? Method::Projective : Method::Spherical;
     if (a.shape == Shape::Disk && b.shape == Shape::Disk) return Method::Barycentric;
     if (b.shape == Shape::Ring && a.shape == Shape::Tube) return Method::CylinderTorus;
     if (b.shape == Shape::Ring && a.shape == Shape::Sphere) return Method::SphereTorus;
@@ -98,7 +105,7 @@ Generator morph(Mesh input, Morph parameters, Stage<Mesh>& stage)
             break;
     }
     const bool disks = parameters.method == Method::Barycentric;
-    const char* name = disks ? "barycentric" : "projective";
+    const char* name = disks ? "barycentric" : parameters.method == Method::Projective ? "projective" : "spherical";
     require(input, disks ? Shape::Disk : Shape::Sphere, name, "this mesh");
     require(parameters.other.mesh, disks ? Shape::Disk : Shape::Sphere, name, "the other");
     return overlayMorph(std::move(input), std::move(parameters), stage);

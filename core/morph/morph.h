@@ -18,7 +18,7 @@ namespace mw {
 /// Overlays make triangles. Attributes of the input are interpolated on its surface, faces keep those of the face they are cut from; those of the
 /// other mesh are left. Vertices that belong to no face are left out. O((n + k) log n) for n triangles and k crossings.
 struct Morph {
-    enum class Method { Auto, CylinderTorus, SphereTorus, Projective, Barycentric, Corresponding };
+    enum class Method { Auto, CylinderTorus, SphereTorus, Projective, Barycentric, Corresponding, Spherical };
     enum class Align { Automatic, None };
 
     OtherMesh other;
@@ -34,14 +34,14 @@ struct Morph {
                   .help = "What it turns into: a node that shows a mesh, a file, or a source (\"torus\"). The tori of methods cylinder-torus and "
                           "sphere-torus need none.",
                   .optional = true});
-        v.choice("method", method, {"auto", "cylinder-torus", "sphere-torus", "projective", "barycentric", "corresponding"},
+        v.choice("method", method, {"auto", "cylinder-torus", "sphere-torus", "projective", "barycentric", "corresponding", "spherical"},
                  {.title = "Method",
                   .help = "How points of the two are matched. projective: by rays from a common centre. barycentric: two disks by their planar maps. "
-                          "corresponding: vertex to vertex of equal meshes."});
+                          "spherical: two closed meshes by their maps on the sphere. corresponding: vertex to vertex of equal meshes."});
         v.choice("align", align, {"automatic", "none"},
                  {.title = "Alignment",
-                  .help = "barycentric: turn the maps so that matching points are as near as can be, or leave them as they are.",
-                  .when = "method=auto|barycentric"});
+                  .help = "barycentric and spherical: turn the maps so that matching points are as near as can be, or leave them as they are.",
+                  .when = "method=auto|barycentric|spherical"});
         v.number("radius", radius,
                  {.title = "Radius R",
                   .help = "Of the target torus: from the axis to the middle of the tube.",

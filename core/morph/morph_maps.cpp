@@ -35,7 +35,7 @@ MorphMaps projectiveMaps(const Mesh& first, const Mesh& second)
         const MorphMesh& mesh = out.meshes[m];
         const std::optional<glm::dvec3> centre = starCentre(mesh.positions, mesh.corners);
         if (!centre)
-            throw Error("there is no point from which all of the " + std::string(which) + " mesh is seen; simplify or smooth it, or take another");
+            throw Error("there is no point from which all of the " + std::string(which) + " mesh is seen; method spherical does without one");
         out.centres[m] = *centre;
         std::vector<glm::dvec3> directions;
         for (const glm::dvec3& p : mesh.positions) directions.push_back(p - *centre);

@@ -57,7 +57,7 @@ MorphMaps mapsOf(const Mesh& input, const Morph& p)
 {
     if (p.method == Morph::Method::Projective) return projectiveMaps(input, p.other.mesh);
     const bool align = p.align == Morph::Align::Automatic;
-    return diskMaps(input, p.other.mesh, align);
+    return p.method == Morph::Method::Spherical ? sphericalMaps(input, p.other.mesh, align) : diskMaps(input, p.other.mesh, align);
 }
 
 }  // namespace
@@ -134,6 +134,7 @@ Generator overlayMorph(Mesh input, Morph parameters, Stage<Mesh>& stage)
         const size_t after = overlay.corners().size() / 3;
         std::vector<uint32_t> fresh;
         for (size_t f = before; f < after && stage.watched(); ++f) fresh.push_back(uint32_t(f));
+        if (stage.watched() && fresh.empty()) continue;
         co_yield Step("triangles")
             .ring(ElementKind::Face, Role::New, fresh)
             .number("cut", double(after - before))

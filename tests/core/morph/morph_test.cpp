@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "core/catalog/lesson.h"
 #include "core/catalog/others.h"
 #include "core/io/io.h"
 #include "core/mesh/topology.h"
 #include "core/morph/parametric_morph.h"
 #include "core/morph/target.h"
+#include "core/steps/stepper.h"
 #include "tests/data.h"
 #include "tests/mesh_checks.h"
 
@@ -192,6 +194,37 @@ TEST(Morph, InterpolatesAttributesOnTheSurface)
         const glm::dvec3 normal(m.faceNormals()[f]), old(ball.faceNormals()[size_t(n->at(f, 0))]);
         for (const uint32_t v : m.face(f)) ASSERT_NEAR(glm::dot(glm::dvec3(m.positions()[v] - ball.positions()[of[0]]), old), 0, 1e-6);
         EXPECT_GT(glm::dot(normal, old), 0.5);
+    }
+}
+
+TEST(Morph, StepsOfEveryMethodAreInTheLessonAndChangeNothing)
+{
+    const Operation& op = operation("morph");
+    const Lesson* lesson = findLesson("morph");
+    ASSERT_TRUE(lesson);
+    const std::pair<const char*, const char*> cases[] = {
+        {"icosphere:subdivisions=1", "other=box,method=projective"}, {"icosphere:subdivisions=1", "other=box,method=spherical"},
+        {"grid:columns=3,rows=2", "other=grid,method=barycentric"},  {"icosphere:subdivisions=1", "method=sphere-torus"},
+        {"cylinder:caps=open,rings=4", "method=cylinder-torus"},     {"box", "other=\"box:width=2\""}};
+    for (const auto& [source, words] : cases) {
+        const ParameterValues values = parsed(op.parameters, words);
+        const Mesh mesh = *meshOfSource(source);
+        Stepper s(stepping(op, mesh, values, othersOf(op, values)));
+        while (s.forward() && !s.atEnd()) {
+            const LessonPhase* phase = lesson->phase(s.step().phase);
+            ASSERT_TRUE(phase) << s.step().phase;
+            for (const Number& n : s.step().numbers) EXPECT_TRUE(lesson->number(phase->id, n.name)) << phase->id << ": " << n.name;
+            const Mesh now = std::get<Mesh>(valueOf(s.value()));
+            for (const Focus& f : s.step().focus) {
+                if (f.kind == ElementKind::Vertex) {
+                    EXPECT_LT(f.index, now.vertexCount()) << phase->id;
+                }
+                if (f.kind == ElementKind::Face) {
+                    EXPECT_LT(f.index, now.faceCount()) << phase->id;
+                }
+            }
+        }
+        EXPECT_EQ(contentHash(valueOf(s.value())), contentHash(apply(op, mesh, values, nullptr, othersOf(op, values)))) << words;
     }
 }
 

@@ -16,6 +16,7 @@ const std::vector<Figure>& allFigures()
         add(chapter3DistanceFigures());
         add(chapter3SubdivisionFigures());
         add(chapter3MorphFigures());
+        add(chapter3EmbeddingFigures());
         add(chapter2StructureFigures());
         add(chapter3CurveFigures());
         std::stable_sort(out.begin(), out.end(), [](const Figure& a, const Figure& b) { return std::string_view(a.id) < b.id; });

@@ -62,14 +62,29 @@ Estimate smoothing(const Operation& op, double n, const ParameterValues& values)
     return {n * (276 + numberOf(op, values, "iterations", 10) * round * half), n, 120 * n};
 }
 
+// Factors of n^1.5 operations; sweeps go on until they settle, which takes the more of them the larger the mesh.
+Estimate planarEmbedding(const Operation& op, double n, const ParameterValues& values)
+{
+    if (chosen(op, values, "solver", "direct")) return {n * (600 + 2 * std::sqrt(n)), n, 1200 * n};
+    const double sweeps = std::min(numberOf(op, values, "iterations", 10000), 0.4 * n);
+    return {n * (300 + 10 * sweeps), n, 250 * n};
+}
+
+Estimate sphericalEmbedding(const Operation& op, double n, const ParameterValues& values)
+{
+    return {n * (2500 + 50 * numberOf(op, values, "iterations", 50)), n, 400 * n};
+}
+
 Estimate estimate(const Operation& op, double n, const ParameterValues& values)
 {
     if (op.id == "decimate-quadric") return decimation(op, n, values);
     if (op.category == "Subdivide") return subdivision(op, n, values);
     if (op.id == "smooth") return smoothing(op, n, values);
-    static const std::map<std::string, double> perFace{{"weld", 80},        {"repair", 340},  {"orient", 190},
-                                                       {"fill-holes", 350}, {"normalise", 3}, {"reorder", 200},
-                                                       {"morph", 25000},    {"normals", 150}, {"decimate-vertices", 2500}};
+    if (op.id == "embed-planar") return planarEmbedding(op, n, values);
+    if (op.id == "embed-spherical") return sphericalEmbedding(op, n, values);
+    static const std::map<std::string, double> perFace{
+        {"weld", 80},     {"repair", 340},  {"orient", 190},  {"fill-holes", 350},         {"normalise", 3},
+        {"reorder", 200}, {"morph", 25000}, {"normals", 150}, {"decimate-vertices", 2500}, {"cut", 800}};
     const auto known = perFace.find(op.id);
     return {n * (known == perFace.end() ? 300 : known->second), n, 100 * n};
 }

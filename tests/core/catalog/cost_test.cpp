@@ -30,6 +30,12 @@ TEST(Cost, GrowsWithTheWork)
     const double ten = told("smooth", 1000, "iterations=100").seconds, twenty = told("smooth", 1000, "iterations=200").seconds;
     EXPECT_GT(twenty, 1.8 * ten);
     EXPECT_LT(twenty, 2.0 * ten);
+    // Factors of n^1.5 operations; rounds and sweeps.
+    const double disk = told("embed-planar", 100'000).seconds, larger = told("embed-planar", 1'000'000).seconds;
+    EXPECT_GT(larger, 10 * disk);
+    EXPECT_LT(larger, 32 * disk);
+    EXPECT_GT(told("embed-planar", 100'000, "solver=jacobi").seconds, 10 * disk);
+    EXPECT_GT(told("embed-spherical", 1000, "iterations=400").seconds, 1.7 * told("embed-spherical", 1000, "iterations=200").seconds);
     EXPECT_FALSE(expectedCost(operation("icosphere"), {}, {}));
     for (const Operation& op : catalog())
         if (const auto cost = expectedCost(op, {50'000, 1'100'000}, {})) {

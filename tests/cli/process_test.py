@@ -2,6 +2,7 @@
 import csv
 import json
 import math
+import struct
 
 from harness import DATA, Case, Ran, main, needs_data
 
@@ -44,6 +45,32 @@ class Process(Case):
         self.assertAlmostEqual(self.mesh(posed)["volume"], self.mesh(sphere)["volume"], places=4)
         self.ok("process", sphere, "--op", f'morph:other="{box}"', "-o", self.folder / "p.glb", "--project")
         self.ok("pose", self.folder / "p.glb", "--time", "2", "-o", posed)
+
+    def test_a_map_is_in_the_gltf(self):
+        out = self.folder / "m.gltf"
+        self.source("m.gltf", "house", "embed-planar")
+        gltf = json.loads(out.read_text())
+        data = (self.folder / gltf["buffers"][0]["uri"]).read_bytes()
+        primitive = gltf["meshes"][0]["primitives"][0]
+
+        def values(index, letter, width):
+            accessor = gltf["accessors"][index]
+            view = gltf["bufferViews"][accessor["bufferView"]]
+            at = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+            flat = struct.unpack_from(f"<{accessor['count'] * width}{letter}", data, at)
+            return [flat[i:i + width] for i in range(0, len(flat), width)]
+
+        places = values(primitive["attributes"]["TEXCOORD_0"], "f", 2)
+        corners = [c for (c,) in values(primitive["indices"], "H", 1)]
+        self.assertEqual((len(places), len(corners)), (15, 66))
+        ring = [set() for _ in places]
+        for i, c in enumerate(corners):
+            ring[c] |= set(corners[i - i % 3:i - i % 3 + 3]) - {c}
+        border = [v for v, p in enumerate(places) if abs(math.dist(p, (0.5, 0.5)) - 0.5) < 1e-6]
+        self.assertEqual(len(border), 6)
+        for v in set(range(15)) - set(border):
+            for k in (0, 1):
+                self.assertAlmostEqual(places[v][k], sum(places[w][k] for w in ring[v]) / len(ring[v]), places=5)
 
     def test_tables(self):
         sphere = self.source("s.obj", "icosphere:subdivisions=2")

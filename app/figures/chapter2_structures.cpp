@@ -205,12 +205,11 @@ void wingedEdge(Page& page)
 }
 
 /// An arrow for a half-edge of a mesh in space, set into its face.
-void halfedgeArrow(Space& s, const HalfedgeWalk& walk, uint32_t h, const Pen& pen, const std::string& label, double share = 0.13)
+void halfedgeArrow(Space& s, const HalfedgeWalk& walk, uint32_t h, const Pen& pen, const std::string& label, double share = 0.13, double along = 0.5)
 {
     const auto [a, b] = inset(s.at(walk.source(h)), s.at(walk.target(h)), s.centre(walk.face(h)), share, 0.1);
     s.line(a, b, pen.arrow());
-    const At middle(0.5 * (a.p + b.p));
-    s.words(At(glm::mix(middle.p, s.centre(walk.face(h)), 0.22)), label, {pen.color, Beside::On, 17, true});
+    s.words(At(glm::mix(glm::mix(a.p, b.p, along), s.centre(walk.face(h)), 0.22)), label, {pen.color, Beside::On, 17, true});
 }
 
 void halfEdge(Page& page)
@@ -343,14 +342,22 @@ void adjacencyFromHalfedges(Page& page)
     const Mesh rock = rockpatch();
     const HalfedgeWalk w(rock);
     const Array<uint32_t> indices = adjacencyIndices(rock);
-    const uint32_t inner = nearestFace(rock, 0.5 * (rock.bounds().min + rock.bounds().max) + glm::dvec3(0, 0.05, 0.05));
-    uint32_t border = none;
-    double largest = 0;
+    // The inner one that is widest beside all that must be seen with it, so that its labels have room; the largest at the border.
+    uint32_t inner = none, border = none;
+    double largest = 0, widest = 0;
     for (uint32_t f = 0; f < rock.faceCount(); ++f) {
         int missing = 0;
         for (size_t k = 0; k < 3; ++k) missing += indices[6 * size_t(f) + 2 * k + 1] == indices[6 * size_t(f) + 2 * k];
         const auto at = [&](size_t k) { return glm::dvec3(rock.positions()[rock.face(f)[k]]); };
         const double area = glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+        if (missing == 0) {
+            double reach = 0, side = 0;
+            for (size_t k = 0; k < 6; ++k) {
+                reach = std::max(reach, glm::distance(glm::dvec3(rock.positions()[indices[6 * size_t(f) + k]]), centreOf(rock, f).p));
+                side = std::max(side, glm::distance(at(k % 3), at((k + 1) % 3)));
+            }
+            if (area / side / reach > widest) widest = area / side / reach, inner = f;
+        }
         if (missing != 1 || area < largest) continue;
         border = f;
         largest = area;
@@ -371,10 +378,10 @@ void adjacencyFromHalfedges(Page& page)
                     names[i] += (names[i].empty() ? "V" : " = V") + std::to_string(k);
         for (size_t k = 0; k < 3; ++k) {
             const uint32_t a = v[2 * k], b = v[(2 * k + 2) % 6], heH = w.between(a, b)[0], out = w.pair(heH);
-            halfedgeArrow(s, w, heH, Pen(page.ink(Ink::Focus), 3), k == 0 ? "heH" : "");
+            halfedgeArrow(s, w, heH, Pen(page.ink(Ink::Focus), 3), k == 0 ? "heH" : "", 0.13, 0.25);
             uint32_t found = a;
             if (w.face(out) != none) {
-                halfedgeArrow(s, w, out, Pen(page.ink(Ink::Rejected), 2.5f), k == 0 ? "opp" : "");
+                halfedgeArrow(s, w, out, Pen(page.ink(Ink::Rejected), 2.5f), k == 0 ? "opp" : "", 0.13, 0.25);
                 halfedgeArrow(s, w, w.next(out), Pen(page.ink(Ink::Neighbour), 2.5f), k == 0 ? "next" : "");
                 found = w.target(w.next(out));
             }

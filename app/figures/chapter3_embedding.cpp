@@ -361,7 +361,6 @@ void sphericalPanel(Page& page, Space& s, const Round& r, uint32_t face)
 
 void sphericalTriangle(Page& page)
 {
-    // From the fine cow: the coarse grid of the small ones has two edges of four faces.
     const Mesh fine = cow3();
     Round r{applied("decimate-quadric", ("ratio=" + std::to_string(250.0 / double(fine.faceCount()))).c_str(), fine), {}};
     r.places = sphericalEmbedding(r.mesh);

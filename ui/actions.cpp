@@ -54,6 +54,7 @@ saveAs = make("Save as...", "", "Ctrl+Shift+S", "Save the project under another 
 exportAs = make("Export...", "export", "Ctrl+E", "Write the evaluated scene; the ending chooses the format", [this] { files_.exportDialog(); });
 quit = make("Quit", "", "Ctrl+Q", "", [this] { window_->close(); });
 makeEdit();
+makeCut();
 makeSelect();
 makeView();
 makeCatalog();
@@ -136,6 +137,9 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     auto* mesh = bar->addMenu("Mesh");
     auto* sources = mesh->addMenu("Add");
     sources->addActions(addSources);
+    mesh->setToolTipsVisible(true);  // why one is off
+    mesh->addSeparator();
+    mesh->addActions({cutSelection, cutDisk});
     mesh->addSeparator();
     std::map<QString, QMenu*> categories;
     for (QAction* a : addModifiers) {
@@ -212,6 +216,7 @@ void Actions::refresh()
         setTip(a, whyNot.isEmpty() ? QString::fromStdString(op.summary) : whyNot);
     }
     refreshSelectElements();
+    refreshCut();
     const bool ground = edits::activeTerrain(d).value != 0;
     for (QAction* a : terrainEdits) enable(a, ground, "Add a terrain first");
     for (const auto& [a, flag] : flags_) a->setChecked(s_.view.options.*flag);

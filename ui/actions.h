@@ -20,7 +20,7 @@ struct Actions {
 
     QAction *open, *import, *save, *saveAs, *exportAs, *quit;
     QAction *undo, *redo, *remove, *rename, *duplicate, *duplicateLinked, *join, *separateFaces, *separateParts, *separateMaterials, *groupNodes,
-        *ownCopy, *copyHistory;
+        *ownCopy, *copyHistory, *cutSelection, *cutDisk;
     QAction *selectAll, *selectNone, *invert, *hide, *hideOthers, *showAll;
     QAction *frameSelection, *frameAll, *perspective, *grid, *wireOverlay, *xray, *orientation, *legend, *normals, *faceNormals, *bones, *picture,
         *resetCamera;
@@ -46,6 +46,8 @@ struct Actions {
 private:
     QAction* toggle(const QString& text, const QString& icon, const QString& key, const QString& tip, bool ViewOptions::*flag);
     void makeEdit();
+    void makeCut();
+    void refreshCut();
     void makeSelect();
     void makeSelectElements();
     void fillSelectElements(QMenu* menu);

@@ -39,7 +39,8 @@ void expectDisk(const Mesh& mesh)
     if (t.components > 1) refuse("has " + std::to_string(t.components) + " pieces. Keep one of them, or separate them into objects.");
     if (t.closed) refuse("is closed. Cut it open before (modifier Cut open).");
     if (t.boundaryLoops.size() > 1)
-        refuse("has " + std::to_string(t.boundaryLoops.size()) + " boundaries. Fill the holes, or cut it open before (modifier Cut open joins them).");
+        refuse("has " + std::to_string(t.boundaryLoops.size()) +
+               " boundaries. Fill the holes, or cut it open before (modifier Cut open joins them).");
     if (t.euler != 1) refuse("has genus " + std::to_string(t.genus.value_or(0)) + ". Cut it open before (modifier Cut open).");
 }
 

@@ -1,8 +1,9 @@
 // Further inputs of operations: who is asked, in which order, and what is said when there is nothing.
+#include "core/catalog/others.h"
+
 #include <gtest/gtest.h>
 
 #include "core/catalog/entries.h"
-#include "core/catalog/others.h"
 
 using namespace mw;
 

@@ -5,7 +5,8 @@ from harness import DATA, Case, main, needs_data, rows
 
 KEYS = {"name", "vertices", "edges", "faces", "triangles", "euler", "genus", "components", "boundary_loops", "boundary_edges",
         "nonmanifold_edges", "nonmanifold_vertices", "degenerate_faces", "duplicate_faces", "isolated_vertices", "orientable",
-        "consistently_oriented", "closed", "valence_histogram", "face_sizes", "bounds", "area", "volume", "morph_targets",
+        "consistently_oriented", "closed", "valence_histogram", "valence_sum", "face_size_sum", "regular_vertices", "face_sizes",
+        "bounds", "area", "volume", "morph_targets",
         "defects"}
 CUBE = "".join(f"v {x} {y} {z}\n" for x in (0, 2) for y in (0, 2) for z in (0, 2)) + """\
 f 1 2 4 3
@@ -28,6 +29,7 @@ class Info(Case):
         m = self.mesh(self.write("cube.obj", CUBE))
         self.assertEqual((m["vertices"], m["edges"], m["faces"], m["triangles"], m["euler"], m["genus"]), (8, 12, 6, 12, 2, 0))
         self.assertEqual((m["valence_histogram"], m["face_sizes"], m["closed"]), ({"3": 8}, {"4": 6}, True))
+        self.assertEqual((m["valence_sum"], m["face_size_sum"], m["regular_vertices"]), (2 * 12, 6 * 4, 0))
         self.assertAlmostEqual(m["area"], 24)
         self.assertAlmostEqual(m["volume"], 8)
         self.assertEqual(m["bounds"], {"min": [0, 0, 0], "max": [2, 2, 2]})

@@ -34,10 +34,12 @@ class Step(Case):
 
     def test_every_operation_with_steps(self):
         sphere = self.source("s.ply", "icosphere:subdivisions=1")
+        particular = {"embed-planar", "morph"}  # not for any mesh: what their lessons use
         for a in self.json("algorithms", "--json")["algorithms"]:
             if a["steps"]:
                 with self.subTest(a["id"]):
-                    self.check(self.lines(sphere if a["accepts"] == "mesh" else "-", "--op", a["id"], "--until", "50"))
+                    subject = sphere if a["accepts"] == "mesh" and a["id"] not in particular else "-"
+                    self.check(self.lines(subject, "--op", a["id"], "--until", "50"))
 
     def test_every_kind(self):
         """Poses, curves and rotations are stepped; what they say is what the algorithm did."""

@@ -1,5 +1,6 @@
 #include "ui/panels/curve_lab.h"
 
+#include <QAbstractButton>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
@@ -161,7 +162,11 @@ private:
         table_->setAccessibleName("Points of the polygon");
         table_->setHorizontalHeaderLabels({"x", "y"});
         table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+        table_->horizontalHeader()->setAccessibleName("Coordinates");
+        table_->verticalHeader()->setAccessibleName("Numbers of the points");
         table_->verticalHeader()->setDefaultSectionSize(22);
+        table_->setCornerButtonEnabled(false);
+        for (QAbstractButton* corner : table_->findChildren<QAbstractButton*>()) corner->setAccessibleName("Corner of the table");
         table_->setMinimumHeight(110);
         table_->setToolTip("The same points by number; Insert on the drawing adds one, Delete removes it");
         box->addWidget(table_, 1);

@@ -153,6 +153,8 @@ void Records::showMessage(const QString& text, const QString& button)
 {
     message_->setText(text);
     messageButton_->setText(button);
+    messageButton_->setToolTip(button == tr("Pick vertices") ? tr("Clicks in the view pick vertices of the mesh (Ctrl+2)")
+                                                             : tr("Shows the records of the first face; links lead on from there"));
     messageButton_->setVisible(!button.isEmpty());
     pages_->setCurrentIndex(0);
 }

@@ -66,7 +66,8 @@ private:
         w_->findChild<QPushButton*>("addModifier")->click();
         auto* list = w_->findChild<QListWidget*>("modifierChoices");
         QVERIFY(list);
-        const auto items = list->findItems(QString::fromStdString(operation(id).title), Qt::MatchExactly);
+        auto items = list->findItems(QString::fromStdString(operation(id).title), Qt::MatchExactly);
+        items.removeIf([](const QListWidgetItem* i) { return !(i->flags() & Qt::ItemIsSelectable); });  // the heading of the category
         QCOMPARE(items.size(), 1);
         emit list->itemClicked(items.front());
         settle();

@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <ctime>
 #include <random>
 
 #include "core/io/io.h"
@@ -52,6 +53,18 @@ uint32_t firstHit(const Mesh& mesh, const glm::dmat4& worldFromLocal, const Ray&
         face = t.faces[i];
     }
     return face;
+}
+
+}  // namespace
+
+namespace {
+
+/// Of this thread.
+double processorMilliseconds()
+{
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return 1e3 * double(t.tv_sec) + 1e-6 * double(t.tv_nsec);
 }
 
 }  // namespace
@@ -776,17 +789,17 @@ private slots:
         clock.restart();
         view().pick(0.5 * all + glm::dvec2(3, 0));
         const double nextPick = clock.nsecsElapsed() / 1e6;
-        clock.restart();
+        double begin = processorMilliseconds();
         view().visibleFaces(region);
-        const double readBack = clock.nsecsElapsed() / 1e6;
-        clock.restart();
+        const double readBack = processorMilliseconds() - begin;
+        begin = processorMilliseconds();
         view().selectBox(view().rect(), {});
-        const double box = clock.nsecsElapsed() / 1e6;
+        const double box = processorMilliseconds() - begin;
         const size_t chosen = document().selection().elements.indices.size();
         qInfo("dragon: pick after a camera move %.0f ms, next %.1f ms; %zu faces boxed in %.0f ms, reading back %.0f ms of it", firstPick, nextPick,
               chosen, box, readBack);
         QVERIFY(chosen > 50000);
-        QVERIFY2(box - readBack < 400, qPrintable(QString::number(box - readBack)));  // 200 on a machine that does nothing else
+        QVERIFY2(box - readBack < 400, qPrintable(QString::number(box - readBack)));  // of the processor, so that a busy machine does not fail it
     }
 };
 

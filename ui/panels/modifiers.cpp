@@ -262,7 +262,7 @@ private:
         const Operation* op = findOperation(m.operation);
         if (!s.error.isEmpty() && op && wantsOther(*op, m.values)) {  // not wrong, only not yet said
             s.error.clear();
-            s.counts = "choose the other mesh";
+            s.counts = "choose a mesh";  // as short as counts are
             s.time.clear();
             return s;
         }

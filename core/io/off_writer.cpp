@@ -176,7 +176,7 @@ void Writer::textFace(size_t f)
 {
     const std::span<const uint32_t> corners = mesh_.face(f);
     text_.begin(1);
-    text_.number(corners.size());
+    text_.number(uint32_t(corners.size()));
     for (size_t c = 0; c < corners.size(); ++c) {
         if (c % 1024 == 0) text_.more(1024);
         text_.put(' ');

@@ -3,10 +3,11 @@
 #include <charconv>
 
 #include "core/io/file.h"
+#include "core/io/put_number.h"
 
 namespace mw {
 
-/// One line of text after the other. A line's numbers must fit the room asked for: 32 bytes each.
+/// One line of text after the other. A line's numbers must fit the room asked for: numberRoom bytes each.
 class TextOut {
 public:
     explicit TextOut(OutputFile& file) : file_(file) {}
@@ -14,8 +15,8 @@ public:
     /// Room for `numbers` numbers and 64 further bytes.
     void begin(size_t numbers)
     {
-        p_ = file_.room(32 * numbers + 64);
-        end_ = p_ + 32 * numbers + 64;
+        p_ = file_.room(numberRoom * numbers + 64);
+        end_ = p_ + numberRoom * numbers + 64;
     }
     /// Further room in the same line.
     void more(size_t numbers)
@@ -34,6 +35,8 @@ public:
         for (char c : text) *p_++ = c;
     }
     void put(char c) { *p_++ = c; }
+    void number(float v) { p_ = putNumber(p_, v); }
+    void number(uint32_t v) { p_ = putNumber(p_, v); }
     template <class T>
     void number(T v)
     {

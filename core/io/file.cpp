@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/mesh/large_pages.h"
+
 namespace mw {
 
 namespace fs = std::filesystem;
@@ -63,6 +65,7 @@ size_t readInto(int handle, char* to, size_t size, const fs::path& file)
 
 FileBytes::FileBytes(size_t size) : bytes_(std::make_unique_for_overwrite<char[]>(size + padding)), size_(size)
 {
+    preferLargePages(bytes_.get(), size + padding);
     std::memset(bytes_.get() + size, 0, padding);
     bytes_[size] = '\n';
 }

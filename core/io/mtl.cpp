@@ -34,7 +34,7 @@ constexpr Finding manyFinding{"many-materials", "material beyond the first 4096:
 int numbersOf(std::string_view text, double* to, int most)
 {
     std::string buffer(text.substr(0, 256));  // a line may be long
-    buffer.append(8, '\0');                   // as text.h wants it
+    buffer.append(textPadding, '\0');         // as text.h wants it
     const char* p = buffer.c_str();
     int n = 0;
     while (n < most) {

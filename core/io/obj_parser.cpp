@@ -284,6 +284,12 @@ inline const char* Parser::index(const char* p, size_t count, uint32_t& to)
 inline const char* Parser::corner(const char* p)
 {
     uint32_t v = none, t = none, n = none;
+    // Most are a vertex that has come, and no more.
+    if (const int digits = detail::upToEightDigits(p, v); digits > 0 && digits < 8 && endsToken(p[digits]) && v - 1 < data_.positions.size() &&
+                                                          data_.cornerTexcoord.size() + data_.cornerNormal.size() == 0) {
+        data_.cornerVertex.push(v - 1);
+        return p + digits;
+    }
     const int64_t earlier = wrongIndex_;
     p = index(p, data_.positions.size(), v);
     if (!p) return nullptr;

@@ -1,4 +1,5 @@
-// Numbers in text, fast and independent of the locale. All readers here expect a buffer that ends in '\n' and at least eight zeros (FileBytes).
+// Numbers in text, fast and independent of the locale. All readers here expect a buffer that ends in '\n' or zero and `textPadding` zeros
+// (FileBytes).
 #pragma once
 #include <bit>
 #include <charconv>
@@ -8,10 +9,16 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
-#include "core/mesh/array.h"
+#include "core/mesh/large_pages.h"
 
 namespace mw {
+
+/// How far behind the end a number's reader may look.
+inline constexpr size_t textPadding = 20;
 
 inline bool isDigit(char c)
 {
@@ -31,6 +38,14 @@ inline std::string_view tokenAt(const char* p)
 
 namespace detail {
 
+/// The value of eight digits, each 0 to 9 in a byte, the first one in the lowest.
+inline uint32_t valueOfEight(uint64_t d)
+{
+    d = d * 2561 >> 8 & 0x00ff00ff00ff00ffu;
+    d = d * 6553601 >> 16 & 0x0000ffff0000ffffu;
+    return uint32_t(d * 42949672960001u >> 32);
+}
+
 /// How many digits stand at p, eight at most, and their value: all at once. Reads eight bytes.
 inline int upToEightDigits(const char* p, uint32_t& value)
 {
@@ -40,10 +55,7 @@ inline int upToEightDigits(const char* p, uint32_t& value)
     uint64_t d = bytes ^ 0x3030303030303030u;  // digits become 0 to 9
     const uint64_t others = ((d + 0x7676767676767676u) | d) & 0x8080808080808080u;
     const int count = others ? std::countr_zero(others) / 8 : 8;
-    d = count ? d << (64 - 8 * count) : 0;  // zeros before them
-    d = (d & 0x0f0f0f0f0f0f0f0fu) * 2561 >> 8;
-    d = (d & 0x00ff00ff00ff00ffu) * 6553601 >> 16;
-    value = uint32_t((d & 0x0000ffff0000ffffu) * 42949672960001u >> 32);
+    value = valueOfEight(count ? d << (64 - 8 * count) : 0);  // zeros before them
     return count;
 }
 inline constexpr uint32_t wholePowersOfTen[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
@@ -63,6 +75,37 @@ inline const char* appendDigits(const char* p, uint64_t& mantissa)
 
 inline constexpr double powersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                          1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+#ifdef __SSE2__
+/// "-12.3456" in sixteen characters at most, as nearly all coordinates are: its ends are found at once, so that the next number need not wait for the
+/// digits of this one. False when it is anything else.
+inline bool parsePlain(const char*& p, double& value)
+{
+    const bool negative = *p == '-';
+    const char* q = p + negative;
+    const __m128i d = _mm_sub_epi8(_mm_loadu_si128(reinterpret_cast<const __m128i*>(q)), _mm_set1_epi8('0'));
+    const unsigned digits = unsigned(_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(d, _mm_set1_epi8(9)), d)));
+    const unsigned others = ~digits & 0xffff, afterPoint = others & (others - 1);
+    if (!afterPoint) return false;
+    const int point = std::countr_zero(others), end = std::countr_zero(afterPoint), count = end - 1;
+    if (q[point] != '.' || count == 0 || (q[end] | 0x20) == 'e') return false;
+    // The point is taken out, and what follows the last digit; zeros come before the first.
+    uint64_t low = uint64_t(_mm_cvtsi128_si64(d)), high = uint64_t(_mm_cvtsi128_si64(_mm_unpackhi_epi64(d, d)));
+    unsigned __int128 all = (unsigned __int128)high << 64 | low, before = (((unsigned __int128)1) << 8 * point) - 1;
+    all = ((all & before) | (all >> 8 & ~before)) << 8 * (16 - count);
+    const uint64_t mantissa = uint64_t(valueOfEight(uint64_t(all))) * 100000000 + valueOfEight(uint64_t(all >> 64));
+    // At most 14 digits and as many decimals: both are exact.
+    const double v = double(mantissa) / powersOfTen[count - point];
+    value = negative ? -v : v;
+    p = q + end;
+    return true;
+}
+#else
+inline bool parsePlain(const char*&, double&)
+{
+    return false;
+}
+#endif
 
 /// Whatever the fast path does not do: many digits, large exponents, "nan", "inf".
 template <class T>
@@ -128,13 +171,13 @@ inline bool parseExact(const char*& p, double& value)
 /// "inf"; what is too large becomes infinite.
 inline bool parseNumber(const char*& p, double& value)
 {
-    return detail::parseExact(p, value) || detail::parseSlowly(p, value);
+    return detail::parsePlain(p, value) || detail::parseExact(p, value) || detail::parseSlowly(p, value);
 }
 inline bool parseNumber(const char*& p, float& value)
 {
     const char* start = p;
     double d = 0;
-    if (detail::parseExact(p, d)) {
+    if (detail::parsePlain(p, d) || detail::parseExact(p, d)) {
         // A double that lies half-way between two floats may itself have been rounded: then the text decides. Tiny ones have fewer bits.
         const bool halfway = (std::bit_cast<uint64_t>(d) & 0x1fffffff) == 0x10000000;
         if (!halfway && (std::abs(d) >= double(std::numeric_limits<float>::min()) || d == 0)) {
@@ -174,16 +217,19 @@ std::string_view trimmed(std::string_view text);
 template <class T>
 class Filling {
 public:
-    void expect(size_t n) { array_.resize(n > size_ ? n : size_); }
+    void expect(size_t n)
+    {
+        if (n > array_.size()) grow(n);
+    }
     void push(const T& v)
     {
-        if (size_ == array_.size()) array_.resize(size_ + size_ / 2 + 64);
+        if (size_ == array_.size()) grow(size_ + size_ / 2 + 64);
         array_[size_++] = v;
     }
     /// Where to put up to `n` more; then say with cut() how many there are now.
     T* room(size_t n)
     {
-        if (array_.size() - size_ < n) array_.resize(size_ + size_ / 2 + n + 64);
+        if (array_.size() - size_ < n) grow(size_ + size_ / 2 + n + 64);
         return array_.data() + size_;
     }
     void fill(size_t to, const T& v)
@@ -202,6 +248,12 @@ public:
     }
 
 private:
+    void grow(size_t n)
+    {
+        array_.reserve(n);
+        preferLargePages(array_);
+        array_.resize(n);
+    }
     Array<T> array_;
     size_t size_ = 0;
 };

@@ -1,15 +1,11 @@
-// Points four numbers at a time, for the loops in which subdivision spends its time; and memory in large pages for what they fill.
+// Points four numbers at a time, for the loops in which subdivision spends its time.
 #pragma once
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <glm/vec3.hpp>
 
-#include "core/mesh/array.h"
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
+#include "core/mesh/large_pages.h"
 
 // Compiled several times, the right one is taken when the program starts. Sanitizers and clang do without.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
@@ -48,27 +44,7 @@ struct Sum {
         std::memcpy(&(point).z, &mwHigh, sizeof mwHigh);                \
     }
 
-/// Asks for large pages where that saves thousands of small ones.
-template <class T>
-void preferLargePages([[maybe_unused]] Array<T>& a)
-{
-#ifdef __linux__
-    constexpr uintptr_t page = uintptr_t(2) << 20;
-    const uintptr_t first = (uintptr_t(a.data()) + 4095) & ~uintptr_t(4095), end = uintptr_t(a.data() + a.capacity()) & ~uintptr_t(4095);
-    if (end > first && end - first >= 2 * page) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
-#endif
-}
-
-/// Not filled. For large results.
-template <class T>
-Array<T> largeArray(size_t n)
-{
-    Array<T> a;
-    a.reserve(n);
-    preferLargePages(a);
-    a.resize(n);
-    return a;
-}
+using mw::largeArray, mw::preferLargePages;
 
 /// Not filled. Reading four floats at the last point stays within the memory.
 inline Array<glm::vec3> paddedPoints(size_t n)

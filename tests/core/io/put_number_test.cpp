@@ -1,10 +1,12 @@
-// The text of numbers is that of std::to_chars, byte by byte.
+// The text of numbers is that of std::to_chars, byte by byte; text is read as by std::from_chars, bit by bit.
 #include "core/io/put_number.h"
 
 #include <bit>
 #include <charconv>
 #include <gtest/gtest.h>
 #include <random>
+
+#include "core/io/text.h"
 
 namespace {
 
@@ -60,6 +62,49 @@ TEST(PutNumber, WholeNumbers)
         for (uint32_t v : {power - 1, power, power + 1}) expectSame(v);
     expectSame(0u);
     expectSame(~0u);
+}
+
+template <class T>
+void expectRead(const std::string& text)
+{
+    const std::string padded = text + std::string(mw::textPadding, '\0');
+    const char* p = padded.c_str();
+    T ours = 0, theirs = 0;
+    const bool read = mw::parseNumber(p, ours);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), theirs);
+    if (error == std::errc::result_out_of_range) return;  // becomes 0 or infinite here, is refused there
+    if (read != (error == std::errc()) || (read && (ours != theirs || p - padded.c_str() != end - text.data()))) {
+        ADD_FAILURE() << text << ": " << ours << " instead of " << theirs;
+    }
+}
+
+/// Digits, a point and an exponent, each there or not, and what may follow.
+TEST(ParseNumber, AnyText)
+{
+    std::mt19937 random(4);
+    const auto digits = [&](unsigned most) {
+        std::string s(random() % (most + 1), '0');
+        for (char& c : s) c = char('0' + random() % 10);
+        return s;
+    };
+    for (int i = 0; i < 300'000 && !HasFailure(); ++i) {
+        std::string text = (random() % 2 ? "-" : "") + digits(random() % 4 ? 4 : 21);
+        if (random() % 8) text += "." + digits(random() % 4 ? 9 : 21);
+        if (random() % 8 == 0) text += std::string("e") + (random() % 2 ? "-" : "") + digits(2);
+        text += std::string_view(" \n\t/,#x.-").substr(random() % 9, 1);
+        expectRead<float>(text);
+        expectRead<double>(text);
+    }
+}
+
+TEST(ParseNumber, WhatWasWritten)
+{
+    std::mt19937 random(5);
+    for (int i = 0; i < 300'000 && !HasFailure(); ++i) {
+        char text[64];
+        const char* end = mw::putNumber(text, fromBits((random() & 0x807fffff) | (87 + random() % 74) << 23));
+        expectRead<float>(std::string(text, size_t(end - text)) + "\n");
+    }
 }
 
 }  // namespace

@@ -14,7 +14,9 @@ namespace {
 /// Edges with what the costs need, in the order of Mesh::edges().
 class EdgeCosts {
 public:
-    EdgeCosts(const Mesh& mesh, const EdgeDihedral& p);
+    EdgeCosts(const Mesh& mesh, const EdgeDihedral& p) : mesh_(mesh), parameters_(p) {}
+    /// What is needed of the whole mesh, in four parts of some time each; false when there is no such part.
+    bool gather(int part);
     size_t size() const { return ends_.size() / 2; }
     uint32_t a(size_t e) const { return ends_[2 * e]; }
     uint32_t b(size_t e) const { return ends_[2 * e + 1]; }
@@ -26,6 +28,7 @@ public:
 
 private:
     void findSides();
+    void makeTable();
 
     const Mesh& mesh_;
     EdgeDihedral parameters_;
@@ -35,11 +38,24 @@ private:
     Array<FaceMeasure> measures_;
 };
 
-EdgeCosts::EdgeCosts(const Mesh& mesh, const EdgeDihedral& p)
-    : mesh_(mesh), parameters_(p), ends_(mesh.edges()), sides_(edgeSidesOf(mesh)), faceOf_(cornerFacesOf(mesh)), measures_(faceMeasuresOf(mesh))
+bool EdgeCosts::gather(int part)
+{
+    if (part == 0) ends_ = mesh_.edges();
+    if (part == 1) sides_ = edgeSidesOf(mesh_);
+    if (part == 2) {
+        faceOf_ = cornerFacesOf(mesh_);
+        measures_ = faceMeasuresOf(mesh_);
+    }
+    if (part == 3) {
+        findSides();
+        makeTable();
+    }
+    return part < 4;
+}
+
+void EdgeCosts::makeTable()
 {
     constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-    findSides();
     table.rows = ElementKind::Edge;
     table.edges.assign(ends_.begin(), ends_.end());
     table.columns = {{"cost", "", Array<double>(size(), undefined), false},
@@ -100,6 +116,8 @@ Generator edgeDihedral(Mesh input, EdgeDihedral parameters, Stage<Table>& stage)
 {
     co_yield Step("gather").number("faces", double(input.faceCount())).progress(0);
     EdgeCosts costs(input, parameters);
+    for (int part = 0; costs.gather(part); ++part)
+        if (!stage.watched()) co_yield Step("gather").progress(0);
     const double all = double(costs.size());
     std::vector<uint32_t> faces;
     stage.show([&costs] { return costs.table; });

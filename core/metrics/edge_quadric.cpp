@@ -29,7 +29,9 @@ Generator edgeQuadric(Mesh input, EdgeQuadric parameters, Stage<Table>& stage)
     constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
     co_yield Step("gather").number("vertices", double(input.vertexCount())).progress(0);
     const VertexQuadrics q = vertexQuadricsOf(input, parameters.weight);
+    if (!stage.watched()) co_yield Step("gather").progress(0);
     const Shared<uint32_t>& ends = input.edges();
+    if (!stage.watched()) co_yield Step("gather").progress(0);
     const size_t n = ends.size() / 2;
     Table table;
     table.rows = ElementKind::Edge;

@@ -15,8 +15,8 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 /// One vertex after the other, so that a step can stop at each.
 class Planarity {
 public:
-    explicit Planarity(const Mesh& mesh)
-        : mesh_(mesh), measures_(faceMeasuresOf(mesh)), faceOf_(cornerFacesOf(mesh)), border_(borderNeighboursOf(mesh))
+    Planarity(const Mesh& mesh, BorderNeighbours border)
+        : mesh_(mesh), measures_(faceMeasuresOf(mesh)), faceOf_(cornerFacesOf(mesh)), border_(std::move(border))
     {
         table.rows = ElementKind::Vertex;
         table.columns = {{"d / longest edge", "", Array<double>(mesh.vertexCount(), undefined), false},
@@ -76,7 +76,11 @@ void Planarity::summarise()
 Generator vertexPlanarity(Mesh input, VertexPlanarity, Stage<Table>& stage)
 {
     co_yield Step("gather").number("vertices", double(input.vertexCount())).progress(0);
-    Planarity p(input);
+    BorderNeighbours border = borderNeighboursOf(input);
+    if (!stage.watched()) co_yield Step("gather").progress(0);
+    input.rings();  // kept with the mesh
+    if (!stage.watched()) co_yield Step("gather").progress(0);
+    Planarity p(input, std::move(border));
     const double all = double(input.vertexCount());
     stage.show([&p] { return p.table; });
     for (uint32_t v = 0; v < input.vertexCount(); ++v) {

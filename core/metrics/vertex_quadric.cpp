@@ -75,6 +75,8 @@ void Costs::summarise()
 Generator vertexQuadric(Mesh input, VertexQuadric parameters, Stage<Table>& stage)
 {
     co_yield Step("gather").number("vertices", double(input.vertexCount())).progress(0);
+    input.rings();  // kept with the mesh
+    if (!stage.watched()) co_yield Step("gather").progress(0);
     Costs costs(input, parameters);
     const double all = double(input.vertexCount());
     stage.show([&costs] { return costs.table; });

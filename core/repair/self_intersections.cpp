@@ -125,9 +125,7 @@ void makeUnique(std::vector<FacePair>& pairs, size_t most)
 /// The search in pieces, so that whoever asked can look up in between.
 class Search {
 public:
-    Search(const Mesh& mesh, const IntersectionOptions& options, Progress* progress)
-        : tree_(trianglesOf(mesh, options.byPlace), progress), most_(options.most)
-    {}
+    Search(std::vector<Triangle> triangles, size_t most, Progress* progress) : tree_(std::move(triangles), progress), most_(most) {}
     bool done() const { return at_ >= tree_.size() || found_.size() > most_; }
     double fraction() const { return tree_.size() ? double(at_) / double(tree_.size()) : 1; }
     void next();
@@ -160,7 +158,7 @@ void Search::next()
 std::vector<FacePair> selfIntersectionsOf(const Mesh& mesh, const IntersectionOptions& options, Progress* progress)
 {
     const float from = progress ? progress->fraction.load() : 0;
-    Search search(mesh, options, progress);
+    Search search(trianglesOf(mesh, options.byPlace), options.most, progress);
     while (!search.done()) {
         search.next();
         if (progress) progress->at(from + (1 - from) * float(search.fraction()));
@@ -171,9 +169,9 @@ std::vector<FacePair> selfIntersectionsOf(const Mesh& mesh, const IntersectionOp
 Generator selfIntersections(Mesh input, SelfIntersections p, Stage<Table>& stage)
 {
     co_yield Step("boxes").progress(0);
-    IntersectionOptions options;
-    options.byPlace = p.byPlace;
-    Search search(input, options, nullptr);
+    std::vector<Triangle> triangles = trianglesOf(input, p.byPlace);
+    co_yield Step("boxes").progress(0);
+    Search search(std::move(triangles), IntersectionOptions().most, nullptr);
     while (!search.done()) {
         search.next();
         co_yield Step("pairs").progress(search.fraction());

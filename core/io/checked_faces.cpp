@@ -24,6 +24,18 @@ std::vector<uint32_t> mendPositions(Array<glm::vec3>& positions)
     return broken;
 }
 
+std::vector<uint32_t> mendPositions(Array<glm::vec3>& positions, CountsFrom from, const std::string& file, Findings& findings)
+{
+    const size_t count = positions.size();
+    std::vector<uint32_t> broken = mendPositions(positions);
+    if (broken.size() == count)
+        throw Error(file, "none of its " + std::to_string(count) + " vertices has a finite position; check the program that wrote it");
+    for (uint32_t v : broken)
+        findings.add(
+            found::position, [&] { return vertexPlace(v + int64_t(from), count, from); }, v);
+    return broken;
+}
+
 Array<uint32_t> CheckedFaces::take(Array<uint32_t> perCorner) const
 {
     if (all || perCorner.empty()) return perCorner;
@@ -51,7 +63,7 @@ CheckedFaces checkedFaces(Array<uint32_t> start, Array<uint32_t> cornerVertex, s
     for (uint32_t f = 0; f + 1 < start.size(); ++f) {
         const auto first = cornerVertex.begin() + start[f], last = cornerVertex.begin() + start[f + 1];
         if (auto c = std::find_if(first, last, wrong); c != last) {
-            leftOut(f, uint32_t(c - cornerVertex.begin()));
+            leftOut(f, *c);
             continue;
         }
         out.faces.push_back(f);
@@ -62,9 +74,40 @@ CheckedFaces checkedFaces(Array<uint32_t> start, Array<uint32_t> cornerVertex, s
     return out;
 }
 
-std::string vertexPlace(int64_t index, size_t count)
+CheckedFaces checkedFaces(Array<uint32_t> start, Array<uint32_t> cornerVertex, size_t vertexCount, const std::vector<uint32_t>& broken,
+                          Findings& findings, const std::function<std::string(uint32_t, uint32_t)>& place)
 {
-    return "vertex " + std::to_string(index) + " of " + std::to_string(count);
+    for (uint32_t f = 0; f + 1 < start.size(); ++f)
+        if (start[f + 1] - start[f] < 3) findings.add(found::smallFace, [&] { return place(f, none); });
+    return checkedFaces(std::move(start), std::move(cornerVertex), vertexCount, broken, [&](uint32_t f, uint32_t v) {
+        findings.add(v < vertexCount ? found::brokenFace : found::faceIndex, [&] { return place(f, v); });
+    });
+}
+
+Array<uint32_t> checkedLines(const Array<uint32_t>& pairs, size_t vertexCount, const std::vector<uint32_t>& broken,
+                             const std::function<void(size_t)>& leftOut)
+{
+    Array<uint32_t> kept;
+    const auto good = [&](uint32_t v) { return v < vertexCount && !std::binary_search(broken.begin(), broken.end(), v); };
+    for (size_t i = 0; i + 1 < pairs.size(); i += 2) {
+        if (good(pairs[i]) && good(pairs[i + 1])) {
+            kept.push_back(pairs[i]);
+            kept.push_back(pairs[i + 1]);
+        } else {
+            leftOut(i / 2);
+        }
+    }
+    return kept;
+}
+
+std::string vertexPlace(int64_t number, size_t count, CountsFrom from)
+{
+    return "vertex " + std::to_string(number) + " of " + std::to_string(count) + (from == CountsFrom::One ? "" : ", counted from 0");
+}
+
+std::string facePlace(uint32_t face, CountsFrom from)
+{
+    return from == CountsFrom::One ? "face " + std::to_string(face + 1) + " of the file" : "face " + std::to_string(face) + ", counted from 0";
 }
 
 }  // namespace mw

@@ -13,13 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr Finding indexFinding{"face-index", "face uses a vertex that is not there: left out", "faces use vertices that are not there: left out"};
-constexpr Finding positionFinding{"nan-position", "vertex has no finite position: put at the centre, faces at it are left out",
-                                  "vertices have no finite position: put at the centre, faces at them are left out"};
-constexpr Finding brokenFaceFinding{"nan-face", "face uses a vertex without a finite position: left out",
-                                    "faces use vertices without a finite position: left out"};
-constexpr Finding smallFinding{"small-face", "face has fewer than three corners: kept as degenerate",
-                               "faces have fewer than three corners: kept as degenerate"};
 constexpr Finding lineFinding{"line-index", "line segment uses a vertex that is not there or not finite: left out",
                               "line segments use vertices that are not there or not finite: left out"};
 constexpr Finding texcoordFinding{"texcoord-index", "corner names a texture coordinate that is not there: set to 0 0",
@@ -30,8 +23,6 @@ constexpr Finding noTexcoordFinding{"texcoord-missing", "corner has no texture c
                                     "corners have no texture coordinate: set to 0 0"};
 constexpr Finding noNormalFinding{"normal-missing", "corner has no normal: the face's own is taken",
                                   "corners have no normal: the face's own is taken"};
-constexpr Finding valueFinding{"nan-value", "colour, normal or texture coordinate is not finite: set to 0",
-                               "colours, normals or texture coordinates are not finite: set to 0"};
 constexpr Finding materialFinding{"missing-material", "material is not in any library: it is grey",
                                   "materials are not in any library: they are grey"};
 
@@ -65,18 +56,10 @@ private:
 
 void Builder::checkUsable() const
 {
-    const auto finite = [&] {
-        for (size_t i = 0; i < data_.positions.size(); ++i)
-            if (const glm::vec3 p = data_.positions[i]; std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return true;
-        return false;
-    };
     if (data_.positions.size() == 0 && data_.firstFaceLine)
         throw Error(file_,
                     "line " + std::to_string(data_.firstFaceLine) + ": a face, but the file has no vertices; export it again with its vertices");
     if (data_.positions.size() == 0) throw Error(file_, "no line with a vertex (\"v x y z\") was found; check that it is an OBJ file");
-    if (!finite())
-        throw Error(file_,
-                    "none of its " + std::to_string(data_.positions.size()) + " vertices has a finite position; check the program that wrote it");
 }
 
 /// Where a face that names a missing vertex stands: 0 beyond the first thousand.
@@ -92,40 +75,19 @@ void Builder::faces()
 {
     positions_ = data_.positions.take();
     const size_t count = positions_.size();
-    broken_ = mendPositions(positions_);
-    for (uint32_t v : broken_)
-        findings_.add(
-            positionFinding, [&] { return vertexPlace(int64_t(v) + 1, count); }, v);
-    Array<uint32_t> start = data_.faceStart.take(), corners = data_.cornerVertex.take();
-    for (uint32_t f = 0; f + 1 < start.size(); ++f)
-        if (start[f + 1] - start[f] < 3) findings_.add(smallFinding, [&] { return "face " + std::to_string(f + 1) + " of the file"; });
-    const Array<uint32_t> given = broken_.empty() && data_.early.empty() ? Array<uint32_t>() : corners;
-    faces_ = checkedFaces(std::move(start), std::move(corners), count, broken_, [&](uint32_t f, uint32_t corner) {
-        const bool there = given[corner] < count;
-        findings_.add(there ? brokenFaceFinding : indexFinding, [&] {
-            int64_t index = int64_t(given[corner]) + 1;
-            const uint64_t line = lineOf(f, index);
-            return (line ? "line " + std::to_string(line) : "face " + std::to_string(f + 1) + " of the file") + ": " + vertexPlace(index, count);
-        });
+    broken_ = mendPositions(positions_, CountsFrom::One, file_, findings_);
+    faces_ = checkedFaces(data_.faceStart.take(), data_.cornerVertex.take(), count, broken_, findings_, [&](uint32_t f, uint32_t v) {
+        int64_t index = int64_t(v) + 1;
+        const uint64_t line = v == none ? 0 : lineOf(f, index);
+        const std::string face = line ? "line " + std::to_string(line) : facePlace(f, CountsFrom::One);
+        return v == none ? face : face + ": " + vertexPlace(index, count, CountsFrom::One);
     });
     faceCount_ = faces_.faceStart.size() - 1;
 }
 
 Array<uint32_t> Builder::lines()
 {
-    const Array<uint32_t> all = data_.lines.take();
-    Array<uint32_t> kept;
-    kept.reserve(all.size());
-    const auto good = [&](uint32_t v) { return v < positions_.size() && !std::binary_search(broken_.begin(), broken_.end(), v); };
-    for (size_t i = 0; i + 1 < all.size(); i += 2) {
-        if (good(all[i]) && good(all[i + 1])) {
-            kept.push_back(all[i]);
-            kept.push_back(all[i + 1]);
-        } else {
-            findings_.add(lineFinding);
-        }
-    }
-    return kept;
+    return checkedLines(data_.lines.take(), positions_.size(), broken_, [&](size_t) { findings_.add(lineFinding); });
 }
 
 template <class V>
@@ -133,7 +95,7 @@ V Builder::finite(V v)
 {
     for (int k = 0; k < v.length(); ++k)
         if (!std::isfinite(v[k])) {
-            findings_.add(valueFinding);
+            findings_.add(found::value);
             return V(0);
         }
     return v;

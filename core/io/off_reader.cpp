@@ -13,15 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr Finding positionFinding{"nan-position", "vertex has no finite position: put at the centre, faces at it are left out",
-                                  "vertices have no finite position: put at the centre, faces at them are left out"};
-constexpr Finding brokenFaceFinding{"nan-face", "face uses a vertex without a finite position: left out",
-                                    "faces use vertices without a finite position: left out"};
-constexpr Finding indexFinding{"face-index", "face uses a vertex that is not there: left out", "faces use vertices that are not there: left out"};
-constexpr Finding smallFinding{"small-face", "face has fewer than three corners: kept as degenerate",
-                               "faces have fewer than three corners: kept as degenerate"};
-constexpr Finding valueFinding{"nan-value", "colour, normal or texture coordinate is not finite: set to 0",
-                               "colours, normals or texture coordinates are not finite: set to 0"};
 constexpr Finding mapFinding{"color-map", "face names a colour of a map that is not in the file: its number is kept as the attribute color_index",
                              "faces name colours of a map that is not in the file: their numbers are kept as the attribute color_index"};
 
@@ -47,20 +38,9 @@ private:
 Mesh Builder::checked()
 {
     Array<glm::vec3> positions = data_.positions.take();
-    const size_t count = positions.size();
-    const std::vector<uint32_t> broken = mendPositions(positions);
-    if (broken.size() == count)
-        throw Error(file_, "none of its " + std::to_string(count) + " vertices has a finite position; check the program that wrote it");
-    for (uint32_t v : broken)
-        data_.findings.add(
-            positionFinding, [&] { return vertexPlace(v, count) + ", counted from 0"; }, v);
-    Array<uint32_t> start = data_.faceStart.take();
-    for (uint32_t f = 0; f + 1 < start.size(); ++f)
-        if (start[f + 1] - start[f] < 3) data_.findings.add(smallFinding, [&] { return "face " + std::to_string(f) + ", counted from 0"; });
-    Array<uint32_t> wrong;  // told only when there is one; a copy of the corners would cost each good file
-    kept_ = checkedFaces(std::move(start), data_.cornerVertex.take(), count, broken, [&](uint32_t f, uint32_t) { wrong.push_back(f); });
-    for (uint32_t f : wrong)
-        data_.findings.add(broken.empty() ? indexFinding : brokenFaceFinding, [&] { return "face " + std::to_string(f) + ", counted from 0"; });
+    const std::vector<uint32_t> broken = mendPositions(positions, CountsFrom::Zero, file_, data_.findings);
+    kept_ = checkedFaces(data_.faceStart.take(), data_.cornerVertex.take(), positions.size(), broken, data_.findings,
+                         [](uint32_t f, uint32_t) { return facePlace(f, CountsFrom::Zero); });
     return Mesh(std::move(positions), std::move(kept_.faceStart), std::move(kept_.cornerVertex));
 }
 
@@ -77,7 +57,7 @@ Attribute Builder::values(std::string_view name, Domain domain, int components, 
     for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < size_t(components); ++k) {
             const float v = from[i * stride + k];
-            if (!std::isfinite(v)) data_.findings.add(valueFinding);
+            if (!std::isfinite(v)) data_.findings.add(found::value);
             out[i * size_t(components) + k] = !std::isfinite(v) ? 0 : whole ? float(double(v) / 255) : v;
         }
     const bool bytes = whole || (name == names::color && areBytes(out));

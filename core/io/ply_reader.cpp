@@ -19,21 +19,12 @@ constexpr Finding elementFinding{"unknown-element", "kind of element has no plac
 constexpr Finding propertyFinding{"unknown-property", "list property has no place in a mesh: left out",
                                   "list properties have no place in a mesh: left out"};
 constexpr Finding edgePropertyFinding{"edge-property", "property of the edges: left out", "properties of the edges: left out"};
-constexpr Finding positionFinding{"nan-position", "vertex has no finite position: put at the centre, faces at it are left out",
-                                  "vertices have no finite position: put at the centre, faces at them are left out"};
-constexpr Finding brokenFaceFinding{"nan-face", "face uses a vertex without a finite position: left out",
-                                    "faces use vertices without a finite position: left out"};
-constexpr Finding indexFinding{"face-index", "face uses a vertex that is not there: left out", "faces use vertices that are not there: left out"};
-constexpr Finding smallFinding{"small-face", "face has fewer than three corners: kept as degenerate",
-                               "faces have fewer than three corners: kept as degenerate"};
 constexpr Finding lineFinding{"line-index", "edge uses a vertex that is not there or not finite: left out",
                               "edges use vertices that are not there or not finite: left out"};
 constexpr Finding precisionFinding{"double-position",
                                    "file has positions in double precision: they are kept in single, some move by more than a millionth of the size",
                                    "files have positions in double precision"};
 constexpr Finding stripFinding{"strips", "list of strips beside faces: left out", "lists of strips beside faces: left out"};
-constexpr Finding valueFinding{"nan-value", "colour, normal or texture coordinate is not finite: set to 0",
-                               "colours, normals or texture coordinates are not finite: set to 0"};
 
 /// An attribute while its values come in.
 struct Incoming {
@@ -238,12 +229,7 @@ void Reader::vertices(const PlyElement& e)
         if (c.property.list) findings_.add(propertyFinding, [&] { return "vertex " + inQuotes(c.property.name); });
     body_.read(e, columns);
     if (doubles) checkPrecision(exact);
-    broken_ = mendPositions(positions_);
-    if (broken_.size() == count && count > 0)
-        throw Error(file_, "none of its " + std::to_string(count) + " vertices has a finite position; check the program that wrote it");
-    for (uint32_t v : broken_)
-        findings_.add(
-            positionFinding, [&] { return vertexPlace(v, count) + ", counted from 0"; }, v);
+    broken_ = mendPositions(positions_, CountsFrom::Zero, file_, findings_);
 }
 
 /// Positions far from the origin lose digits: say so when it can be seen.
@@ -410,24 +396,11 @@ Mesh Reader::build()
     }
     if (faceStart_.empty()) faceStart_.push_back(0);
     const size_t count = positions_.size();
-    for (uint32_t f = 0; f + 1 < faceStart_.size(); ++f)
-        if (faceStart_[f + 1] - faceStart_[f] < 3) findings_.add(smallFinding, [&] { return "face " + std::to_string(f) + ", counted from 0"; });
-    Array<uint32_t> wrong;  // told only when there is one; a copy would cost each good file
-    CheckedFaces kept =
-        checkedFaces(std::move(faceStart_), std::move(cornerVertex_), count, broken_, [&](uint32_t f, uint32_t) { wrong.push_back(f); });
-    for (uint32_t f : wrong)
-        findings_.add(broken_.empty() ? indexFinding : brokenFaceFinding, [&] { return "face " + std::to_string(f) + ", counted from 0"; });
+    CheckedFaces kept = checkedFaces(std::move(faceStart_), std::move(cornerVertex_), count, broken_, findings_,
+                                     [](uint32_t f, uint32_t) { return facePlace(f, CountsFrom::Zero); });
     Mesh mesh(std::move(positions_), std::move(kept.faceStart), std::move(kept.cornerVertex));
-    Array<uint32_t> lines;
-    const auto good = [&](uint32_t v) { return v < count && !std::binary_search(broken_.begin(), broken_.end(), v); };
-    for (size_t i = 0; i + 1 < lines_.size(); i += 2) {
-        if (good(lines_[i]) && good(lines_[i + 1])) {
-            lines.push_back(lines_[i]);
-            lines.push_back(lines_[i + 1]);
-        } else {
-            findings_.add(lineFinding, [&] { return "edge " + std::to_string(i / 2) + ", counted from 0"; });
-        }
-    }
+    Array<uint32_t> lines = checkedLines(
+        lines_, count, broken_, [&](size_t i) { findings_.add(lineFinding, [&] { return "edge " + std::to_string(i) + ", counted from 0"; }); });
     if (!lines.empty()) mesh = mesh.withLines(std::move(lines));
     return withAttributes(std::move(mesh), kept);
 }
@@ -438,7 +411,7 @@ void Reader::mendValues(Incoming& in)
     if (!values || !(isWellKnown(in.name))) return;
     for (float& v : *values)
         if (!std::isfinite(v)) {
-            findings_.add(valueFinding);
+            findings_.add(found::value);
             v = 0;
         }
 }

@@ -1,5 +1,9 @@
 // The triangle-adjacency primitive: a triangle with the vertices beyond its three sides, as a geometry shader takes it. Book 2.9.
 #pragma once
+#include <array>
+#include <optional>
+
+#include "core/mesh/halfedge_walk.h"
 #include "core/mesh/table.h"
 #include "core/steps/stage.h"
 
@@ -14,6 +18,9 @@ namespace mw {
 ///          \   /
 ///           V1
 Array<uint32_t> adjacencyIndices(const Mesh& mesh);
+
+/// The same of one face, by its half-edges; beside a polygon by the triangles it is cut into. Nothing when it is no triangle or has no half-edges.
+std::optional<std::array<uint32_t, 6>> adjacencyOf(const HalfedgeWalk& walk, const Mesh& mesh, uint32_t face);
 
 struct TriangleAdjacency {
     template <class V>

@@ -232,7 +232,7 @@ void RecordsTest::thePrimitiveIsThatOfTheTable()
         const RecordMesh m(mesh);
         const Array<uint32_t> six = adjacencyIndices(mesh);
         for (uint32_t f = 0; f < mesh.faceCount(); ++f) {
-            const auto own = primitiveOf(m, f);
+            const auto own = adjacencyOf(m.walk, m.mesh, f);
             QVERIFY(own);
             for (size_t k = 0; k < 6; ++k) QCOMPARE((*own)[k], six[6 * size_t(f) + k]);
         }

@@ -3,6 +3,7 @@
 
 #include "core/mesh/normals.h"
 #include "core/mesh/select.h"
+#include "core/mesh/triangle_adjacency.h"
 #include "render/colors.h"
 #include "ui/panels/record_tables.h"
 
@@ -149,7 +150,7 @@ void Drawing::faceBased(uint32_t face)
 /// Figures 2.14 and 2.15. Where a neighbour is missing the repeated vertex is written beyond the side, and the side is dashed.
 void Drawing::primitive(uint32_t face)
 {
-    const auto six = primitiveOf(m_, face);
+    const auto six = adjacencyOf(m_.walk, m_.mesh, face);
     if (!six) return;
     const auto segment = [&](uint32_t a, uint32_t b, glm::vec4 c, float width, bool dashed) {
         sketch.points.push_back({glm::vec3(at(a)), c, width, glm::vec3(at(b)), dashed, true});

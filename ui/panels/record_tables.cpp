@@ -5,6 +5,7 @@
 #include <QStringList>
 
 #include "core/mesh/select.h"
+#include "core/mesh/triangle_adjacency.h"
 #include "core/steps/stage.h"
 #include "ui/panels/look.h"
 
@@ -56,7 +57,7 @@ std::vector<RecordCell> entriesOf(const RecordPlace& place, const Record& vertex
 RecordTable primitiveTable(const RecordMesh& m, const RecordPlace& place)
 {
     RecordTable t{"primitive", tr("Triangle adjacency"), {}};
-    const auto six = primitiveOf(m, place.face);
+    const auto six = adjacencyOf(m.walk, m.mesh, place.face);
     if (!six) return t;
     t.title += "  " + handleOf({To::Face, place.face});
     for (size_t k = 0; k < 6; ++k) {
@@ -142,22 +143,6 @@ std::vector<RecordTable> recordTables(const RecordMesh& m, const RecordPlace& pl
     tables.push_back({"face-based", tr("Face-based") + "  " + handleOf(face.of), sideBySide(cellsOf(face))});
     if (RecordTable t = primitiveTable(m, place); !t.cells.empty()) tables.push_back(std::move(t));
     return tables;
-}
-
-std::optional<std::array<uint32_t, 6>> primitiveOf(const RecordMesh& m, uint32_t face)
-{
-    if (face == none || m.mesh.face(face).size() != 3) return {};
-    uint32_t h = m.walk.ofFace(face);
-    if (h == none) return {};
-    std::array<uint32_t, 6> six{};
-    for (size_t k = 0; k < 3; ++k) {
-        h = m.walk.next(h);
-        const uint32_t beyond = m.walk.pair(h);
-        six[2 * k] = m.walk.source(h);
-        six[2 * k + 1] = m.walk.face(beyond) == none ? six[2 * k] : m.walk.target(m.walk.next(beyond));
-        // Beside a polygon there is no third vertex to speak of: the first one beyond stands for it.
-    }
-    return six;
 }
 
 RecordLink askedAt(const RecordPlace& place, Adjacency::Query query)

@@ -1,9 +1,7 @@
 // What the Records panel shows and draws at a place of a mesh: tables of links, arrows with letters, answers. No widgets.
 #pragma once
 #include <QString>
-#include <array>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/mesh/adjacency.h"
@@ -41,9 +39,6 @@ RecordLink linkOf(const RecordMesh& m, const ElementSet& elements);
 
 /// Half-edge, winged-edge and face-based records and the triangle-adjacency primitive at a place.
 std::vector<RecordTable> recordTables(const RecordMesh& m, const RecordPlace& place);
-/// V0 to V5 of a triangle; a missing neighbour repeats the vertex before it. Empty when it is no triangle or has no half-edges.
-std::optional<std::array<uint32_t, 6>> primitiveOf(const RecordMesh& m, uint32_t face);
-
 /// The element of a place that a query asks about; nothing where there is none.
 RecordLink askedAt(const RecordPlace& place, Adjacency::Query query);
 ElementSet answerOf(const RecordMesh& m, RecordLink asked, Adjacency::Query query);

@@ -474,6 +474,36 @@ TEST(TriangleAdjacency, SixVerticesAreThoseOfTheFigure)
     });
 }
 
+// Triangles beside triangles and polygons, convex and not: one face by its half-edges is what the table of all has.
+TEST(TriangleAdjacency, OfOneFaceBesidePolygons)
+{
+    // Four triangles round a point, a square on the right, a concave pentagon above; nothing below and on the left.
+    const Array<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},       {0.5f, 0.5f, 0},
+                                     {2, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5f, 1.2f, 0}, {1, 2, 0}};
+    const Array<uint32_t> start{0, 3, 6, 9, 12, 16, 21}, corners{0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 5, 6, 2, 2, 9, 8, 7, 3};
+    const Mesh mixed(positions, start, corners);
+    std::vector<Mesh> meshes{mixed};
+    if (const auto data = mw::test::dataFolder(); !data.empty())
+        forDataMeshes(data, [&](const Mesh& mesh) {
+            if (!mesh.isTriangles() && mesh.topology().manifold() && mesh.topology().consistentlyOriented) meshes.push_back(mesh);
+        });
+    size_t compared = 0;
+    for (const Mesh& mesh : meshes) {
+        if (!mesh.topology().degenerateFaces.empty() || !mesh.topology().duplicateFaces.empty()) continue;
+        const HalfedgeWalk walk(mesh);
+        const Array<uint32_t> six = adjacencyIndices(mesh);
+        const auto& faces = mesh.triangulation().faces;
+        for (size_t t = 0; t < faces.size(); ++t) {
+            if (mesh.face(faces[t]).size() != 3) continue;
+            const auto own = adjacencyOf(walk, mesh, faces[t]);
+            ASSERT_TRUE(own);
+            ASSERT_TRUE(std::equal(own->begin(), own->end(), six.begin() + ptrdiff_t(6 * t))) << "triangle " << t;
+            ++compared;
+        }
+    }
+    EXPECT_GE(compared, 4u);
+}
+
 TEST(TriangleAdjacency, TableCountsWhatIsMissing)
 {
     const Table t = result<Table>(grid(4, false, false).mesh(), triangleAdjacency, TriangleAdjacency{});

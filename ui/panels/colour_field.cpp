@@ -12,7 +12,7 @@
 #include <cmath>
 #include <functional>
 
-#include "ui/panels/look.h"
+#include "ui/look.h"
 #include "ui/parameter_form.h"
 
 namespace mw {

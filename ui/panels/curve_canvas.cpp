@@ -9,7 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ui/panels/look.h"
+#include "ui/look.h"
 #include "ui/theme.h"
 
 namespace mw {

@@ -19,8 +19,8 @@
 #include "core/error.h"
 #include "core/scene/command_line.h"
 #include "core/subdivide/subdivide_curve.h"
+#include "ui/look.h"
 #include "ui/panels/curve_canvas.h"
-#include "ui/panels/look.h"
 #include "ui/parameter_form.h"
 
 namespace mw {

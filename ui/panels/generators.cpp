@@ -7,7 +7,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "ui/panels/look.h"
+#include "ui/look.h"
 #include "ui/parameter_form.h"
 #include "ui/terrain_edits.h"
 #include "ui/theme.h"

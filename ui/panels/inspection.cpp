@@ -7,7 +7,7 @@
 #include "core/catalog/catalog.h"
 #include "core/mesh/rings.h"
 #include "core/mesh/select.h"
-#include "ui/panels/look.h"
+#include "ui/look.h"
 
 namespace mw {
 

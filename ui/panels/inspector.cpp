@@ -13,9 +13,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/look.h"
 #include "ui/panels/inspector_rows.h"
 #include "ui/panels/inspector_widget.h"
-#include "ui/panels/look.h"
 
 namespace mw {
 

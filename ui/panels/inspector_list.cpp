@@ -10,9 +10,9 @@
 #include <cmath>
 
 #include "core/catalog/catalog.h"
+#include "ui/look.h"
 #include "ui/panels/inspector_rows.h"
 #include "ui/panels/inspector_widget.h"
-#include "ui/panels/look.h"
 #include "ui/panels/repair_all.h"
 #include "ui/panels/valence_histogram.h"
 #include "ui/repair_edits.h"

@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <QTreeView>
 
-#include "ui/panels/look.h"
+#include "ui/look.h"
 
 namespace mw {
 namespace {

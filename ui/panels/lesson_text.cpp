@@ -9,9 +9,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/look.h"
 #include "ui/panels/lesson_desk.h"
 #include "ui/panels/lessons.h"
-#include "ui/panels/look.h"
 
 namespace mw {
 

@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <map>
 
+#include "ui/look.h"
 #include "ui/panels/lesson_desk.h"
-#include "ui/panels/look.h"
 
 namespace mw {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/scene/scene_pose.h"
+#include "ui/look.h"
 #include "ui/panels/fold.h"
-#include "ui/panels/look.h"
 #include "ui/playback.h"
 #include "ui/words.h"
 

@@ -10,8 +10,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/look.h"
 #include "ui/panels/form_values.h"
-#include "ui/panels/look.h"
 #include "ui/parameter_form.h"
 #include "ui/terrain_edits.h"
 #include "ui/theme.h"

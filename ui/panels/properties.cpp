@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/scene/scene_pose.h"
+#include "ui/look.h"
 #include "ui/panels/empty_state.h"
 #include "ui/panels/fold.h"
-#include "ui/panels/look.h"
 #include "ui/panels/material_section.h"
 #include "ui/panels/matrix_product.h"
 #include "ui/panels/transform_fields.h"

@@ -7,7 +7,7 @@
 #include "core/mesh/select.h"
 #include "core/mesh/triangle_adjacency.h"
 #include "core/steps/stage.h"
-#include "ui/panels/look.h"
+#include "ui/look.h"
 
 namespace mw {
 

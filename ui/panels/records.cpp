@@ -10,7 +10,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 
-#include "ui/panels/look.h"
+#include "ui/look.h"
 #include "ui/panels/records_widget.h"
 #include "ui/viewport/frame_builder.h"
 

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "core/mesh/select.h"
-#include "ui/panels/look.h"
+#include "ui/look.h"
 #include "ui/panels/records_widget.h"
 
 namespace mw {

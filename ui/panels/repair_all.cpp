@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "core/catalog/catalog.h"
-#include "ui/panels/look.h"
+#include "ui/look.h"
 
 namespace mw {
 namespace {

@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 
 #include "core/scene/terrain_values.h"
+#include "ui/look.h"
 #include "ui/panels/form_values.h"
-#include "ui/panels/look.h"
 #include "ui/parameter_form.h"
 #include "ui/terrain_edits.h"
 #include "ui/theme.h"

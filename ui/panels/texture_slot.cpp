@@ -15,8 +15,8 @@
 
 #include "core/metrics/uv_layout.h"
 #include "core/scene/edit.h"
+#include "ui/look.h"
 #include "ui/panels/decoded_picture.h"
-#include "ui/panels/look.h"
 
 namespace mw {
 namespace {

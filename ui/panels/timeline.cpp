@@ -15,8 +15,8 @@
 #include <cmath>
 
 #include "ui/edit_commands.h"
+#include "ui/look.h"
 #include "ui/panels/empty_state.h"
-#include "ui/panels/look.h"
 #include "ui/panels/timeline_tracks.h"
 #include "ui/playback.h"
 

@@ -16,8 +16,8 @@
 
 #include "core/metrics/uv_distortion.h"
 #include "core/scene/edit.h"
+#include "ui/look.h"
 #include "ui/panels/decoded_picture.h"
-#include "ui/panels/look.h"
 #include "ui/panels/uv_canvas.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"

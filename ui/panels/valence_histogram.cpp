@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "ui/panels/look.h"
+#include "ui/look.h"
 
 namespace mw {
 

@@ -3,7 +3,7 @@
 
 #include <QSet>
 
-#include "ui/panels/look.h"
+#include "ui/look.h"
 
 namespace mw {
 

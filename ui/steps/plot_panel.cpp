@@ -11,7 +11,7 @@
 #include <map>
 #include <qcustomplot.h>
 
-#include "ui/panels/look.h"
+#include "ui/look.h"
 #include "ui/steps/step_history.h"
 #include "ui/steps/step_words.h"
 

@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "core/catalog/resources.h"
-#include "ui/panels/look.h"
+#include "ui/look.h"
 #include "ui/steps/cpp_highlighter.h"
 
 namespace mw {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "ui/panels/look.h"
+#include "ui/look.h"
 #include "ui/steps/step_history.h"
 #include "ui/steps/step_words.h"
 

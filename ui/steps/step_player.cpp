@@ -12,8 +12,8 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "ui/look.h"
 #include "ui/object_choices.h"
-#include "ui/panels/look.h"
 #include "ui/parameter_form.h"
 #include "ui/steps/step_history.h"
 #include "ui/steps/step_lists.h"

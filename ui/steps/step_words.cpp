@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/catalog/lesson.h"
-#include "ui/panels/look.h"
+#include "ui/look.h"
 
 namespace mw {
 

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/panels/look.h"
+#include "ui/look.h"
 #include "ui/playback.h"
 #include "ui/steps/step_history.h"
 

@@ -1,5 +1,5 @@
 // See look.h.
-#include "ui/panels/look.h"
+#include "ui/look.h"
 
 #include <QApplication>
 #include <QFontDatabase>

@@ -47,8 +47,8 @@ std::span<const Edit> editList()
 {
     static const std::vector<Edit> all = [] {
         std::vector<Edit> list;
-        for (auto edits : {sceneEdits, fileEdits, placementEdits, nodeEdits, meshEdits, elementEdits, stackEdits, materialEdits, slotEdits,
-                           textureEdits, terrainEdits, clipEdits})
+        for (auto edits : {sceneEdits, fileEdits, placementEdits, nodeEdits, meshEdits, elementEdits, stackEdits, materialEdits, textureEdits,
+                           terrainEdits, clipEdits})
             for (Edit& e : edits()) list.push_back(std::move(e));
         return list;
     }();

@@ -43,8 +43,7 @@ std::vector<Edit> nodeEdits();       // edit_nodes.cpp: names, places, what is s
 std::vector<Edit> meshEdits();       // edit_mesh.cpp: faces, edges and vertices of meshes
 std::vector<Edit> elementEdits();    // edit_elements.cpp: elements in their places
 std::vector<Edit> stackEdits();      // edit_stack.cpp: modifiers
-std::vector<Edit> materialEdits();   // edit_material.cpp: slots and materials
-std::vector<Edit> slotEdits();       // edit_slots.cpp: slots of a mesh, values of what is in them
+std::vector<Edit> materialEdits();   // edit_material.cpp: slots of a mesh, which faces they cover, values of what is in them
 std::vector<Edit> textureEdits();    // core/io/edit_texture.cpp: pictures on materials
 std::vector<Edit> terrainEdits();    // edit_terrain.cpp: terrains and strokes
 std::vector<Edit> clipEdits();       // edit_clips.cpp: motions

@@ -493,7 +493,7 @@ void PanelsTest::pictures()
             open("meshes/closed_genus0/spot.obj");
             const std::string node = nodeText(w.session().document.scene(), w.session().document.selection().active());
             if (w.session().document.scene().find(w.session().document.scene().meshes()[0])->materials.empty())
-                commitEdit(w.session().document, {"add-slot", {{"node", node}}});
+                commitEdit(w.session().document, {"new-material", {{"node", node}}});
             settle();
             shoot("spot");
             for (auto* c : w.findChildren<QComboBox*>("uvColour")) c->setCurrentIndex(1), emit c->activated(1);

@@ -226,7 +226,7 @@ void MaterialSection::newMaterial(int64_t like)
     if (!object()) return;
     const int64_t made = int64_t(object()->materials.size());
     const Material* m = material();
-    run({"add-slot", {{"node", node()}, {"like", like}, {"name", like >= 0 && m ? m->name : std::string("Material")}}});
+    run({"new-material", {{"node", node()}, {"like", like}, {"name", like >= 0 && m ? m->name : std::string("Material")}}});
     slot_ = made;
     refresh();
 }
@@ -236,7 +236,7 @@ void MaterialSection::assign()
     const Selection& s = session_.document.selection();
     std::string faces;
     if (s.elementsOf == node_ && s.elements.kind == ElementKind::Face) faces = elementText(s.elements);
-    run({"assign-slot", {{"node", node()}, {"slot", slot_}, {"faces", faces}}});
+    run({"assign-material", {{"node", node()}, {"slot", slot_}, {"faces", faces}}});
 }
 
 void MaterialSection::setNode(NodeId id)

@@ -190,6 +190,13 @@ private:
             c.values["points"] = way;
             c.values["radius"] = real(20, 200);
         }
+        if (id == "assign-material") {
+            const auto painted = [&](const Node& n) { return n.mesh && !s.find(n.mesh)->materials.empty(); };
+            if (const std::string n = node(s, painted); n != "#0") {
+                c.values["node"] = n;
+                c.values["slot"] = int64_t(below(s.find(s.node(nodeOf(s, n)).mesh)->materials.size()));
+            }
+        }
         if (id == "separate" || id == "delete-elements" || id == "new-material" || id == "assign-material")
             if (const Mesh* m = meshIn(s, c); m && m->faceCount() > 0) {
                 const std::string kind = id == "delete-elements" ? std::get<std::string>(c.values.at("kind")) : "faces";

@@ -84,11 +84,28 @@ TEST(EditMaterial, ValuesOfASharedMaterialAndAnOwnCopy)
     EXPECT_EQ(d.history().size(), 4u);
 }
 
+TEST(EditMaterial, ANewOneForSomeFacesLeavesTheOthersAsTheyWere)
+{
+    Document d;
+    commitEdit(d, parsedEdit("add:op=icosphere,with=subdivisions=1,name=ball"));
+    run(d, "new-material:node=ball,name=red,color=1/0/0,faces=0-9");
+    ASSERT_EQ(object(d, "ball").materials.size(), 2u);
+    EXPECT_EQ(object(d, "ball").materials[0], MaterialId{}) << "no material";
+    EXPECT_EQ(material(d, "ball", 1).baseColor, glm::dvec4(1, 0, 0, 1));
+    run(d, "new-material:node=ball,name=red,like=1,color=0/1/0");
+    EXPECT_EQ(material(d, "ball", 2).name, "red 2");
+    EXPECT_EQ(material(d, "ball", 2).baseColor, glm::dvec4(1, 0, 0, 1)) << "a copy has the colour of what it is like";
+    run(d, "assign-material:node=ball,slot=2,faces=5-14");
+    const Attribute* slots = object(d, "ball").base.find(names::material, Domain::Face);
+    for (size_t f = 0; f < slots->size(); ++f) EXPECT_EQ(slots->at(f, 0), f < 5 ? 1 : f < 15 ? 2 : 0) << f;
+    EXPECT_THROW(run(d, "new-material:node=ball,faces=80"), Error);
+}
+
 TEST(EditMaterial, SlotsAndFaces)
 {
     Document d = twoCubes();
-    run(d, "add-slot:node=left,name=glass");
-    run(d, "assign-slot:node=left,slot=1,faces=0-9;20");
+    run(d, "new-material:node=left,name=glass");
+    run(d, "assign-material:node=left,slot=1,faces=0-9;20");
     const auto slots = [&] {
         const Attribute* a = object(d, "left").base.find(names::material, Domain::Face);
         size_t n = 0;
@@ -96,8 +113,8 @@ TEST(EditMaterial, SlotsAndFaces)
         return n;
     };
     EXPECT_EQ(slots(), 11u);
-    EXPECT_THROW(run(d, "assign-slot:node=left,slot=1,faces=0-99999"), Error);
-    EXPECT_THROW(run(d, "assign-slot:node=left,slot=2"), Error);
+    EXPECT_THROW(run(d, "assign-material:node=left,slot=1,faces=0-99999"), Error);
+    EXPECT_THROW(run(d, "assign-material:node=left,slot=2"), Error);
     run(d, "use-material:node=right,slot=0,material=glass");
     EXPECT_EQ(material(d, "right").name, "glass");
     run(d, "rename-material:node=right,name=clear glass");
@@ -149,7 +166,7 @@ TEST(EditMaterial, AJpegGoesThroughGltf)
     Document d;
     d.open(std::move(spot.scene), {}, "Open");
     const std::string node = nodeText(d.scene(), d.scene().roots().front());
-    if (d.scene().find(d.scene().meshes().front())->materials.empty()) run(d, "add-slot:node=" + node);
+    if (d.scene().find(d.scene().meshes().front())->materials.empty()) run(d, "new-material:node=" + node);
     const auto jpeg = data / "meshes/nonmanifold/SpiderTex.jpg";
     run(d, "texture:node=" + node + ",file=" + jpeg.string());
     const auto file = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "spot.glb");

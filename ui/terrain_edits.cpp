@@ -2,10 +2,10 @@
 
 #include <QFileInfo>
 
+#include "core/catalog/entries.h"
 #include "core/io/height_picture.h"
 #include "core/scene/terrain_values.h"
 #include "ui/edit_commands.h"
-#include "ui/panels/form_values.h"
 
 namespace mw::edits {
 namespace {
@@ -22,7 +22,7 @@ std::function<void(const EditRun&)> framing(Session& session)
 
 const std::vector<Parameter>& describedTerrain()
 {
-    static const std::vector<Parameter> all = forms::described<TerrainValues>();
+    static const std::vector<Parameter> all = described<TerrainValues>();
     return all;
 }
 

@@ -8,8 +8,9 @@
 #include <QSettings>
 #include <QStyleFactory>
 #include <QSvgRenderer>
-#include <cmath>
 #include <optional>
+
+#include "core/math/srgb.h"
 
 static void initResources()
 {
@@ -117,8 +118,7 @@ private:
 
 double luminance(const QColor& c)
 {
-    const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
-    return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
+    return 0.2126 * linearFromSrgb(c.redF()) + 0.7152 * linearFromSrgb(c.greenF()) + 0.0722 * linearFromSrgb(c.blueF());
 }
 
 // As WCAG 2 has it: 1 to 21.

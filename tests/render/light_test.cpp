@@ -9,6 +9,7 @@
 #include "render/image.h"
 #include "render/matcap.h"
 
+#include "offscreen_test.h"
 #include "shapes.h"
 
 namespace mw {
@@ -18,19 +19,7 @@ using namespace test;
 
 constexpr int width = 320, height = 240;
 
-class Light : public testing::Test {
-protected:
-    static void SetUpTestSuite() { offscreen_ = new Offscreen(true); }
-    static void TearDownTestSuite()
-    {
-        delete offscreen_;
-        offscreen_ = nullptr;
-    }
-    void TearDown() override { EXPECT_EQ(offscreen_->messages(), std::vector<std::string>{}); }
-    static Picture draw(const Frame& f) { return offscreen_->draw(f, width, height); }
-    static Offscreen* offscreen_;
-};
-Offscreen* Light::offscreen_ = nullptr;
+class Light : public OffscreenTest<width, height> {};
 
 glm::dvec3 linearColor(glm::ivec4 c)
 {

@@ -9,6 +9,7 @@
 #include "render/image.h"
 
 #include "data.h"
+#include "offscreen_test.h"
 #include "shapes.h"
 
 namespace mw {
@@ -18,20 +19,7 @@ using namespace test;
 
 constexpr int width = 640, height = 400;
 
-/// One context for all tests; each asks that the driver had nothing to complain about.
-class Pictures : public testing::Test {
-protected:
-    static void SetUpTestSuite() { offscreen_ = new Offscreen(true); }
-    static void TearDownTestSuite()
-    {
-        delete offscreen_;
-        offscreen_ = nullptr;
-    }
-    void TearDown() override { EXPECT_EQ(offscreen_->messages(), std::vector<std::string>{}); }
-    static Picture draw(const Frame& f) { return offscreen_->draw(f, width, height); }
-    static Offscreen* offscreen_;
-};
-Offscreen* Pictures::offscreen_ = nullptr;
+class Pictures : public OffscreenTest<width, height> {};
 
 double coveredPixels(const Picture& p)
 {

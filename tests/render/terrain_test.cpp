@@ -10,6 +10,7 @@
 #include "render/shaders.h"
 #include "render/terrain_levels.h"
 
+#include "offscreen_test.h"
 #include "shapes.h"
 
 namespace mw {
@@ -19,19 +20,7 @@ using namespace test;
 
 constexpr int width = 480, height = 300;
 
-class TerrainPictures : public testing::Test {
-protected:
-    static void SetUpTestSuite() { offscreen_ = new Offscreen(true); }
-    static void TearDownTestSuite()
-    {
-        delete offscreen_;
-        offscreen_ = nullptr;
-    }
-    void TearDown() override { EXPECT_EQ(offscreen_->messages(), std::vector<std::string>{}); }
-    static Picture draw(const Frame& f) { return offscreen_->draw(f, width, height); }
-    static Offscreen* offscreen_;
-};
-Offscreen* TerrainPictures::offscreen_ = nullptr;
+class TerrainPictures : public OffscreenTest<width, height> {};
 
 /// Hills of several sizes, and roughness from sample to sample: the worst for cracks.
 HeightMap hills(uint32_t side)

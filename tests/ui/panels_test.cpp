@@ -16,6 +16,7 @@
 #include <filesystem>
 
 #include "core/io/io.h"
+#include "core/math/srgb.h"
 #include "core/metrics/uv_layout.h"
 #include "core/scene/edit.h"
 #include "core/scene/materials.h"

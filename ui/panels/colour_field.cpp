@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/math/srgb.h"
 #include "ui/look.h"
 #include "ui/parameter_form.h"
 
@@ -201,17 +202,6 @@ private:
 };
 
 }  // namespace
-
-double srgbFromLinear(double v)
-{
-    v = std::clamp(v, 0.0, 1.0);
-    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-}
-
-double linearFromSrgb(double v)
-{
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
 
 QColor screenColour(glm::dvec3 c)
 {

@@ -31,8 +31,6 @@ private:
     glm::dvec3 linear_{0};
 };
 
-double srgbFromLinear(double v);  ///< 0 to 1, IEC 61966-2-1
-double linearFromSrgb(double v);
 QColor screenColour(glm::dvec3 linear);  ///< brightest channel at most 1
 /// 16 x 16 (logical) swatch.
 QIcon swatch(glm::dvec3 linear, qreal ratio);

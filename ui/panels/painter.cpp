@@ -10,8 +10,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/catalog/entries.h"
 #include "ui/look.h"
-#include "ui/panels/form_values.h"
 #include "ui/parameter_form.h"
 #include "ui/terrain_edits.h"
 #include "ui/theme.h"
@@ -174,9 +174,9 @@ private:
 
     void makeBrush(QWidget* parent)
     {
-        brush_ = new ParameterForm(forms::described<BrushForm>(), brushValues(), parent);
+        brush_ = new ParameterForm(described<BrushForm>(), brushValues(), parent);
         const auto take = [this](const ParameterValues& v) {
-            const auto f = forms::filled<BrushForm>(v);
+            const auto f = filled<BrushForm>(v);
             Brush& b = session_.view.brush;
             b.radius = f.radius;
             b.strength = f.strength;
@@ -242,11 +242,11 @@ private:
             line->addWidget(bands_[i]);
             box_->addLayout(line);
         }
-        layers_ = new ParameterForm(forms::described<LayerForm>(), {}, parent);
+        layers_ = new ParameterForm(described<LayerForm>(), {}, parent);
         layers_->setObjectName("layerForm");
         const auto changed = [this](const ParameterValues& v) {
             Terrain t = edits::terrainOf(session_.document, node_)->terrain;
-            const auto f = forms::filled<LayerForm>(v);
+            const auto f = filled<LayerForm>(v);
             t.layers = {f.sandTo / 100, f.grassTo / 100, f.snowFrom / 100, f.rockSlope};
             return t;
         };

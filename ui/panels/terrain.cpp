@@ -5,9 +5,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "core/catalog/entries.h"
 #include "core/scene/terrain_values.h"
 #include "ui/look.h"
-#include "ui/panels/form_values.h"
 #include "ui/parameter_form.h"
 #include "ui/terrain_edits.h"
 #include "ui/theme.h"
@@ -39,13 +39,13 @@ public:
         map_->setObjectName("heightMapLine");
         map_->setWordWrap(true);
         box->addWidget(map_);
-        ground_ = new ParameterForm(forms::described<TerrainGround>(), {}, inside);
+        ground_ = new ParameterForm(described<TerrainGround>(), {}, inside);
         ground_->setObjectName("groundForm");
         box->addWidget(ground_);
         auto* title = new QLabel("<b>Level of detail</b>", inside);
         title->setContentsMargins(0, 8, 0, 0);
         box->addWidget(title);
-        detail_ = new ParameterForm(forms::described<TerrainDetail>(), {}, inside);
+        detail_ = new ParameterForm(described<TerrainDetail>(), {}, inside);
         detail_->setObjectName("detailForm");
         box->addWidget(detail_);
         card_ = new QLabel(inside);
@@ -61,13 +61,13 @@ public:
         look::keepWide(area_);
         outer->addWidget(area_, 1);
         join(ground_, [](Terrain& t, const ParameterValues& v) {
-            const auto f = forms::filled<TerrainGround>(v);
+            const auto f = filled<TerrainGround>(v);
             t.extent = f.extent;
             t.maximumHeight = f.maximumHeight;
             t.waterLevel = f.waterLevel;
         });
         join(detail_, [](Terrain& t, const ParameterValues& v) {
-            const auto f = forms::filled<TerrainDetail>(v);
+            const auto f = filled<TerrainDetail>(v);
             t.detail = {int(f.patches), f.nearLevel, f.farLevel, f.nearDistance, f.farDistance, f.edges == TerrainDetail::Edges::Corrected};
         });
         subscription_ = session_.document.subscribe([this](const Change&) { refresh(); });

@@ -2,40 +2,11 @@
 
 #include <algorithm>
 
+#include "core/mesh/select.h"
 #include "ui/viewport/step_frame.h"
 
 namespace mw {
 namespace {
-
-/// Elements as one number each, so that sets are sorted arrays: an index, or both of an edge.
-using Keys = std::vector<uint64_t>;
-
-uint64_t edgeKey(uint32_t a, uint32_t b)
-{
-    return uint64_t(std::min(a, b)) << 32 | std::max(a, b);
-}
-
-Keys keysOf(const ElementSet& s)
-{
-    Keys keys;
-    if (s.kind == ElementKind::Edge)
-        for (size_t i = 0; i + 1 < s.indices.size(); i += 2) keys.push_back(edgeKey(s.indices[i], s.indices[i + 1]));
-    else
-        keys.assign(s.indices.begin(), s.indices.end());
-    if (!std::is_sorted(keys.begin(), keys.end())) std::sort(keys.begin(), keys.end());
-    return keys;
-}
-
-ElementSet setOf(ElementKind kind, const Keys& keys)
-{
-    ElementSet s{kind, {}};
-    s.indices.reserve(keys.size() * (kind == ElementKind::Edge ? 2 : 1));
-    for (const uint64_t k : keys) {
-        if (kind == ElementKind::Edge) s.indices.push_back(uint32_t(k >> 32));
-        s.indices.push_back(uint32_t(k));
-    }
-    return s;
-}
 
 /// Which vertices of an object lie in the region.
 class Inside {
@@ -73,57 +44,50 @@ const DrawObject* objectOf(const Frame& frame, NodeId node)
     return nullptr;
 }
 
-Keys sorted(Keys keys)
+ElementSet visibleElements(ToolView& view, const Region& region, const DrawObject& o, const std::vector<uint32_t>& faces, ElementKind kind)
 {
-    std::sort(keys.begin(), keys.end());
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    return keys;
-}
-
-Keys visibleElements(ToolView& view, const Region& region, const DrawObject& o, const std::vector<uint32_t>& faces, ElementKind kind)
-{
-    if (kind == ElementKind::Face) return Keys(faces.begin(), faces.end());
+    if (kind == ElementKind::Face) return {kind, faces};
     const Inside inside(view, region, o);
     std::vector<uint8_t> known(o.mesh.vertexCount(), 0);  // 1: outside, 2: inside
     const auto isIn = [&](uint32_t v) {
         if (!known[v]) known[v] = inside.vertex(v) ? 2 : 1;
         return known[v] == 2;
     };
-    Keys keys;
+    ElementSet found{kind, {}};
     for (const uint32_t f : faces) {
         const auto corners = o.mesh.face(f);
         for (size_t i = 0; i < corners.size(); ++i) {
             const uint32_t a = corners[i], b = corners[(i + 1) % corners.size()];
             if (!isIn(a)) continue;
             if (kind == ElementKind::Vertex)
-                keys.push_back(a);
+                found.indices.push_back(a);
             else if (a != b && isIn(b))
-                keys.push_back(edgeKey(a, b));
+                found.indices.insert(found.indices.end(), {a, b});
         }
     }
-    return sorted(std::move(keys));
+    return sorted(std::move(found));
 }
 
-Keys allElements(ToolView& view, const Region& region, const DrawObject& o, ElementKind kind)
+ElementSet allElements(ToolView& view, const Region& region, const DrawObject& o, ElementKind kind)
 {
     const Inside inside(view, region, o);
-    Keys keys;
+    ElementSet found{kind, {}};
     if (kind == ElementKind::Face) {
         for (uint32_t f = 0; f < o.mesh.faceCount(); ++f)
-            if (inside.middle(o.mesh.face(f))) keys.push_back(f);
-        return keys;
+            if (inside.middle(o.mesh.face(f))) found.indices.push_back(f);
+        return found;
     }
     std::vector<uint8_t> in(o.mesh.vertexCount());
     for (uint32_t v = 0; v < in.size(); ++v) in[v] = inside.vertex(v);
     if (kind == ElementKind::Vertex) {
         for (uint32_t v = 0; v < in.size(); ++v)
-            if (in[v]) keys.push_back(v);
-        return keys;
+            if (in[v]) found.indices.push_back(v);
+        return found;
     }
     const Shared<uint32_t>& edges = o.mesh.edges();
     for (size_t e = 0; e + 1 < edges.size(); e += 2)
-        if (in[edges[e]] && in[edges[e + 1]]) keys.push_back(edgeKey(edges[e], edges[e + 1]));
-    return sorted(std::move(keys));
+        if (in[edges[e]] && in[edges[e + 1]]) found.indices.insert(found.indices.end(), {edges[e], edges[e + 1]});
+    return sorted(std::move(found));
 }
 
 void selectNodes(Document& document, const std::vector<NodeId>& found, SelectMode mode)
@@ -166,16 +130,17 @@ std::vector<NodeId> objectsIn(ToolView& view, const Region& region)
 
 struct Found {
     NodeId node;
-    Keys keys;
+    ElementSet elements;
 };
 
 Found elementsIn(ToolView& view, const Region& region, ElementKind kind)
 {
     const NodeId active = view.session().document.selection().active();
     Found best;
-    const auto take = [&](NodeId node, Keys keys) {
-        const bool better = node == active ? !keys.empty() : best.node != active && keys.size() > best.keys.size();
-        if (better) best = {node, std::move(keys)};
+    const auto take = [&](NodeId node, ElementSet elements) {
+        const size_t n = elements.indices.size();
+        const bool better = node == active ? n > 0 : best.node != active && n > best.elements.indices.size();
+        if (better) best = {node, std::move(elements)};
     };
     if (view.look().options.xray) {
         for (const DrawObject& o : view.seen().objects) take(o.node, allElements(view, region, o, kind));
@@ -186,24 +151,18 @@ Found elementsIn(ToolView& view, const Region& region, ElementKind kind)
     return best;
 }
 
+/// Of two sets of elements, as the mode says.
+ElementSet combined(const ElementSet& old, const ElementSet& picked, SelectMode mode)
+{
+    if (mode == SelectMode::Replace || old.kind != picked.kind) return mode == SelectMode::Remove ? old : picked;
+    return mode == SelectMode::Add ? united(sorted(old), picked) : without(sorted(old), picked);
+}
+
 }  // namespace
 
 ElementKind elementKind(PickKind kind)
 {
     return kind == PickKind::Vertex ? ElementKind::Vertex : kind == PickKind::Edge ? ElementKind::Edge : ElementKind::Face;
-}
-
-ElementSet combined(const ElementSet& old, const ElementSet& picked, SelectMode mode)
-{
-    if (mode == SelectMode::Replace || old.kind != picked.kind) return mode == SelectMode::Remove ? old : picked;
-    const Keys a = keysOf(old), b = keysOf(picked);
-    Keys out;
-    out.reserve(a.size() + b.size());
-    if (mode == SelectMode::Add)
-        std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
-    else
-        std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
-    return setOf(picked.kind, out);
 }
 
 void selectRegion(ToolView& view, const Region& region, SelectMode mode)
@@ -219,7 +178,7 @@ void selectRegion(ToolView& view, const Region& region, SelectMode mode)
         if (mode == SelectMode::Replace) document.select({old.nodes, {}, {}});
         return;
     }
-    const ElementSet picked = setOf(elementKind(kind), found.keys);
+    const ElementSet& picked = found.elements;
     const bool same = old.elementsOf == found.node && old.elements.kind == picked.kind;
     if (!same && mode == SelectMode::Remove) return;
     document.select({{found.node}, found.node, same ? combined(old.elements, picked, mode) : picked});

@@ -8,9 +8,6 @@ enum class SelectMode { Replace, Add, Remove };
 
 ElementKind elementKind(PickKind kind);
 
-/// A set of elements after adding or taking away others; both ascending, of one kind.
-ElementSet combined(const ElementSet& old, const ElementSet& picked, SelectMode mode);
-
 /// Visible things of the pick kind in a region; with X-ray, hidden ones as well: vertices and joints that lie in it, edges with both ends,
 /// faces by their middle, objects by any vertex. Elements are those of one node, the active one where it is among them.
 void selectRegion(ToolView& view, const Region& region, SelectMode mode);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/select.h"
 #include "render/bones.h"
 #include "ui/selection_commands.h"
 #include "ui/viewport/brush_tool.h"
@@ -212,12 +213,10 @@ void Viewport::click(QPointF point, Qt::KeyboardModifiers m)
     ElementSet picked{elementKind(kind), {i[0]}};
     if (kind == PickKind::Edge) picked.indices = {std::min(i[0], i[1]), std::max(i[0], i[1])};
     const bool same = s.elementsOf == pick->node && s.elements.kind == picked.kind;
-    if (same && m & Qt::ControlModifier) {  // toggles
-        ElementSet without = combined(s.elements, picked, SelectMode::Remove);
-        picked = without.indices.size() < s.elements.indices.size() ? std::move(without) : combined(s.elements, picked, SelectMode::Add);
-    } else if (same && m & Qt::ShiftModifier) {
-        picked = combined(s.elements, picked, SelectMode::Add);
-    }
+    if (same && m & Qt::ControlModifier)
+        picked = toggled(sorted(s.elements), picked);
+    else if (same && m & Qt::ShiftModifier)
+        picked = united(sorted(s.elements), picked);
     session_.document.select({{pick->node}, pick->node, std::move(picked)});
 }
 

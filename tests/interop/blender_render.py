@@ -3,10 +3,12 @@ code), with a floor for each. With --keep FOLDER the pictures stay there, ours a
 import json
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))  # Blender does not
+import in_blender
 
 SKIP = 77
 SIZE = (320, 240)
@@ -49,16 +51,11 @@ def ssim(a, b):
 
 def inside():
     """Runs in Blender: JOB; draws each scene of it, compares, writes the numbers beside it."""
-    import builtins
-
     import bpy
     import mathutils
     import numpy as np
 
-    # Blender 3.4 of Debian 12 with its newer numpy and Python: names that are gone.
-    for name in ("bool", "object", "int", "float"):
-        if name not in np.__dict__:
-            setattr(np, name, getattr(builtins, name))
+    in_blender.mend_names()
 
     def world(light, folder):
         w = bpy.data.worlds.new("light")
@@ -144,7 +141,7 @@ def inside():
         image.file_format = "PNG"
         image.save()
 
-    job = json.loads(pathlib.Path(sys.argv[sys.argv.index("--") + 1]).read_text())
+    job = json.loads(pathlib.Path(in_blender.words()[0]).read_text())
     found = {}
     for s in job["scenes"]:
         bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -175,7 +172,6 @@ def ours(meshwright, scene, file, folder):
 
 
 def compare(meshwright, generator, data, folder):
-    blender = shutil.which("blender")
     subprocess.run([generator, folder], check=True)
     scenes = []
     for scene in SCENES:
@@ -186,15 +182,10 @@ def compare(meshwright, generator, data, folder):
             scenes.append(ours(meshwright, scene, str(file), folder))
     job = pathlib.Path(folder, "job.json")
     job.write_text(json.dumps({"folder": folder, "scenes": scenes}))
-    path = f"{pathlib.Path(blender).resolve().parent}{os.pathsep}{os.environ.get('PATH', '')}"
-    done = subprocess.run([blender, "-b", "--factory-startup", "--python-exit-code", "3", "--python", __file__, "--", str(job)],
-                          capture_output=True, text=True, errors="replace", env={**os.environ, "PATH": path})
-    result = pathlib.Path(folder, "found.json")
-    if not result.exists():
-        sys.exit(f"Blender ended with {done.returncode}\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
+    found = in_blender.ran(__file__, [job], pathlib.Path(folder, "found.json"))
     failed = 0
     floors = {s[0]: s[7] for s in SCENES}
-    for name, n in json.loads(result.read_text()).items():
+    for name, n in found.items():
         low = n["ssim"] < floors[name] or n["outline"] < 0.97
         failed += low
         print(f"{name:12} SSIM {n['ssim']:.4f} (at least {floors[name]}), mean difference {255 * n['difference']:.1f} of 255, "
@@ -203,7 +194,7 @@ def compare(meshwright, generator, data, folder):
 
 
 def main():
-    if not shutil.which("blender"):
+    if not in_blender.program():
         print("skipped: Blender is not installed")
         return SKIP
     data = os.environ.get("MESHWRIGHT_DATA", "")

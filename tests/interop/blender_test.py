@@ -3,10 +3,12 @@ must have the same counts there as the file itself: vertex groups, shape keys, b
 import json
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))  # Blender does not
+import in_blender
 
 SKIP = 77
 
@@ -16,13 +18,9 @@ def inside():
     import builtins
 
     import bpy
-    import numpy
 
-    # Blender 3.4 of Debian 12 with its newer numpy and Python: names and a mode of open() that are gone.
-    for name in ("bool", "object", "int", "float"):
-        if name not in numpy.__dict__:
-            setattr(numpy, name, getattr(builtins, name))
-    plain = builtins.open
+    in_blender.mend_names()
+    plain = builtins.open  # a mode that the add-ons use is gone from Python, too
     builtins.open = lambda file, mode="r", *a, **k: plain(file, mode.replace("U", "") if isinstance(mode, str) else mode, *a, **k)
 
     def counts():
@@ -41,7 +39,7 @@ def inside():
             "faces": sorted(sum(p.area > 0 for p in o.data.polygons) for o in meshes),  # without area they may go when vertices are joined
         }
 
-    *files, result = sys.argv[sys.argv.index("--") + 1:]
+    *files, result = in_blender.words()
     found = {}
     for file in files:
         bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -57,17 +55,6 @@ def inside():
         json.dump(found, out)
 
 
-def opened(blender, files, folder):
-    result = folder / "counts.json"
-    command = [blender, "-b", "--factory-startup", "--python-exit-code", "3", "--python", __file__, "--", *map(str, files), str(result)]
-    # It takes the libraries of the first Python on the path: that has to be the one beside it.
-    path = f"{pathlib.Path(blender).resolve().parent}{os.pathsep}{os.environ.get('PATH', '')}"
-    done = subprocess.run(command, capture_output=True, text=True, errors="replace", env={**os.environ, "PATH": path})
-    if not result.exists():
-        sys.exit(f"Blender ended with {done.returncode}\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
-    return json.loads(result.read_text())
-
-
 def differences(source, original, export, simplified):
     """What Blender sees in an export otherwise than in the file it was made from."""
     ignored = {"faces"} if simplified else set()
@@ -77,8 +64,7 @@ def differences(source, original, export, simplified):
 
 
 def main():
-    blender = shutil.which("blender")
-    if not blender:
+    if not in_blender.program():
         print("skipped: Blender is not installed")
         return SKIP
     data = os.environ.get("MESHWRIGHT_DATA", "")
@@ -88,7 +74,8 @@ def main():
         folder = pathlib.Path(name)
         subprocess.run([sys.argv[1], name], check=True)
         exports = sorted(f for f in folder.iterdir() if f.suffix in (".glb", ".gltf") and not f.name.startswith("meshes_"))
-        seen = opened(blender, [*exports, *sources], folder)
+        counted = folder / "counts.json"
+        seen = in_blender.ran(__file__, [*exports, *sources, counted], counted)
         for file, counts in seen.items():
             if isinstance(counts, str):
                 failed += 1

@@ -3,10 +3,12 @@ vertices and faces there, the same box, and texture coordinates and colours wher
 import json
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))  # Blender does not
+import in_blender
 
 SKIP = 77
 SOURCES = ("closed_genus0/bumpy.off", "closed_genus0/spot.obj", "quads/suzanne.obj", "quads/fandisk_quads.off", "format_variants/Wuson.stl",
@@ -26,7 +28,7 @@ def inside():
         return {"vertices": len(mesh.vertices), "faces": len(mesh.polygons), "min": places.min(0).tolist(), "max": places.max(0).tolist(),
                 "texcoord": len(mesh.uv_layers) > 0, "color": len(mesh.color_attributes) > 0}
 
-    *files, result = sys.argv[sys.argv.index("--") + 1:]
+    *files, result = in_blender.words()
     found = {}
     for file in files:
         bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -45,17 +47,6 @@ def inside():
         json.dump(found, out)
 
 
-def opened(blender, files, folder):
-    result = folder / "seen.json"
-    # The importers are add-ons, which --factory-startup has enabled.
-    command = [blender, "-b", "--factory-startup", "--python-exit-code", "3", "--python", __file__, "--", *map(str, files), str(result)]
-    path = f"{pathlib.Path(blender).resolve().parent}{os.pathsep}{os.environ.get('PATH', '')}"
-    done = subprocess.run(command, capture_output=True, text=True, errors="replace", env={**os.environ, "PATH": path})
-    if not result.exists():
-        sys.exit(f"Blender ended with {done.returncode}\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
-    return json.loads(result.read_text())
-
-
 def differences(ours, theirs, target):
     if isinstance(theirs, str):
         return theirs
@@ -72,7 +63,7 @@ def differences(ours, theirs, target):
 
 
 def main():
-    blender, data = shutil.which("blender"), os.environ.get("MESHWRIGHT_DATA", "")
+    blender, data = in_blender.program(), os.environ.get("MESHWRIGHT_DATA", "")
     if not blender or not data:
         print("skipped:", "MESHWRIGHT_DATA is not set" if blender else "Blender is not installed")
         return SKIP
@@ -85,7 +76,8 @@ def main():
                 subprocess.run([program, "convert", pathlib.Path(data, "meshes", source), out, *words], check=True, capture_output=True)
                 info = json.loads(subprocess.run([program, "info", out, "--json"], check=True, capture_output=True, text=True).stdout)
                 exports[str(out)] = (source, kind, info["meshes"][0])
-        for file, theirs in opened(blender, list(exports), folder).items():
+        result = folder / "seen.json"
+        for file, theirs in in_blender.ran(__file__, [*exports, result], result).items():
             source, kind, ours = exports[file]
             wrong = differences(ours, theirs, kind)
             held = {"texcoord": source in ("closed_genus0/spot.obj", "format_variants/cube_uv.ply") and not kind.startswith("stl"),

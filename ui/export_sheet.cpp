@@ -70,13 +70,24 @@ void ExportSheet::makeForm()
     form_ = new QGridLayout;
     form_->setSpacing(8);
     form_->setColumnStretch(1, 1);
-    const auto label = [this](const QString& text, int row) {
-        auto* l = new QLabel(text, this);
-        l->setMinimumWidth(90);
-        form_->addWidget(l, row, 0);
-        return l;
-    };
-    label("File", 0);
+    makeFile(0);
+    makeFormat(1);
+    makeTicks(2);
+    makeNumbers(3);
+    body()->addLayout(form_);
+}
+
+QLabel* ExportSheet::label(const QString& text, int row)
+{
+    auto* l = new QLabel(text, this);
+    l->setMinimumWidth(90);
+    form_->addWidget(l, row, 0);
+    return l;
+}
+
+void ExportSheet::makeFile(int row)
+{
+    label("File", row);
     file_ = new QLineEdit(this);
     file_->setObjectName("exportFile");
     file_->setAccessibleName("File");
@@ -90,9 +101,13 @@ void ExportSheet::makeForm()
         if (i >= 0) format_->setCurrentIndex(i);
         refresh();
     });
-    form_->addWidget(file_, 0, 1);
-    form_->addWidget(other, 0, 2);
-    label("Format", 1);
+    form_->addWidget(file_, row, 1);
+    form_->addWidget(other, row, 2);
+}
+
+void ExportSheet::makeFormat(int row)
+{
+    label("Format", row);
     format_ = new QComboBox(this);
     format_->setObjectName("exportFormat");
     format_->setAccessibleName("Format");
@@ -103,11 +118,14 @@ void ExportSheet::makeForm()
             for (const std::string& e : f.extensions)
                 format_->addItem(QString("%1 (%2)").arg(QString::fromStdString(f.name), QString::fromStdString(e)), QString::fromStdString(e));
     connect(format_, &QComboBox::activated, this, [this](int i) { chooseFormat(format_->itemData(i).toString()); });
-    form_->addWidget(format_, 1, 1, 1, 2);
-    QSettings settings;
+    form_->addWidget(format_, row, 1, 1, 2);
+}
+
+void ExportSheet::makeTicks(int row)
+{
     binary_ = new QCheckBox("Binary", this);
     binary_->setToolTip("Smaller and faster to read; untick for a text that can be read by eye");
-    binary_->setChecked(settings.value("export/binary", true).toBool());
+    binary_->setChecked(QSettings().value("export/binary", true).toBool());
     selected_ = new QCheckBox("Only what is selected", this);
     selected_->setObjectName("exportSelected");
     selected_->setToolTip("The selected nodes and what is below them");
@@ -118,16 +136,21 @@ void ExportSheet::makeForm()
         connect(b, &QCheckBox::toggled, this, [this] { refresh(); });
     }
     boxes->addStretch(1);
-    form_->addLayout(boxes, 2, 1, 1, 2);
-    unitLabel_ = label("Numbers in", 3);
+    form_->addLayout(boxes, row, 1, 1, 2);
+}
+
+void ExportSheet::makeNumbers(int row)
+{
+    const QSettings settings;
+    unitLabel_ = label("Numbers in", row);
     unit_ = unitCombo(settings.value("export/unit", 1.0).toDouble(), this);
     up_ = upCombo(UpAxis(std::clamp(settings.value("export/up", 0).toInt(), 0, 2)), this);
     auto* place = new QHBoxLayout;
     place->addWidget(unit_);
     place->addWidget(up_);
     place->addStretch(1);
-    form_->addLayout(place, 3, 1, 1, 2);
-    trianglesLabel_ = label("Terrains", 4);
+    form_->addLayout(place, row, 1, 1, 2);
+    trianglesLabel_ = label("Terrains", row + 1);
     triangles_ = new QSpinBox(this);
     triangles_->setAccessibleName("Triangles of each terrain");
     triangles_->setToolTip("Most triangles of the mesh that stands for a terrain. 2 to 20,000,000");
@@ -136,8 +159,7 @@ void ExportSheet::makeForm()
     triangles_->setSuffix(" triangles");
     triangles_->setValue(settings.value("export/triangles", 200'000).toInt());
     connect(triangles_, &QSpinBox::valueChanged, this, [this] { refresh(); });
-    form_->addWidget(triangles_, 4, 1, Qt::AlignLeft);
-    body()->addLayout(form_);
+    form_->addWidget(triangles_, row + 1, 1, Qt::AlignLeft);
 }
 
 void ExportSheet::makeList()

@@ -25,6 +25,11 @@ public:
 
 private:
     void makeForm();
+    QLabel* label(const QString& text, int row);
+    void makeFile(int row);
+    void makeFormat(int row);
+    void makeTicks(int row);
+    void makeNumbers(int row);  ///< two rows: unit and up axis, triangles of terrains
     void makeList();
     void chooseFormat(const QString& ending);
     void browse();

@@ -1,35 +1,17 @@
 // A form made from parameter descriptions: nobody writes a widget for a number. Live while it is changed, one commit when it is done.
 #pragma once
-#include <QDoubleSpinBox>
 #include <QTimer>
 #include <QWidget>
 #include <functional>
 
 #include "core/catalog/parameters.h"
+#include "ui/number_box.h"
 
 class QGridLayout;
 class QLabel;
 class QSlider;
 
 namespace mw {
-
-/// A spin box that leaves the wheel to the page unless it has the focus, and shows no needless zeros.
-class NumberBox : public QDoubleSpinBox {
-    Q_OBJECT
-
-public:
-    explicit NumberBox(QWidget* parent = nullptr);
-    QString textFromValue(double v) const override;
-    double valueFromText(const QString& text) const override;
-    QValidator::State validate(QString&, int&) const override { return QValidator::Acceptable; }
-    bool integral = false;
-
-signals:
-    void outOfRange(bool out);
-
-protected:
-    void wheelEvent(QWheelEvent* e) override;
-};
 
 /// What a parameter of type object can be set to; whoever makes a form for such parameters says it.
 struct ObjectChoices {

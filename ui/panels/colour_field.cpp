@@ -115,7 +115,7 @@ double strengthOf(glm::dvec3 c)
 
 class ColourPopup : public QFrame {
 public:
-    ColourPopup(ColourField* owner, const QString& title, bool glow) : QFrame(owner, Qt::Popup), linear_(owner->linear())
+    ColourPopup(ColourField* owner, const QString& title, bool glow) : QFrame(owner, Qt::Popup), owner_(owner), linear_(owner->linear())
     {
         setObjectName("popup");
         setAttribute(Qt::WA_DeleteOnClose);
@@ -123,80 +123,95 @@ public:
         auto* box = new QVBoxLayout(this);
         box->setContentsMargins(10, 10, 10, 10);
         box->setSpacing(6);
-        auto* square = new HueSquare(this);
-        box->addWidget(square);
+        square_ = new HueSquare(this);
+        square_->changed = [this](const QColor& c, bool done) { set(unitOf(c), strengthOf(linear_), done); };
+        box->addWidget(square_);
         auto* form = new QFormLayout;
         form->setVerticalSpacing(4);
         box->addLayout(form);
-        auto* hex = new QLineEdit(this);
-        hex->setObjectName("colourHex");
-        hex->setAccessibleName("sRGB as #rrggbb");
-        hex->setToolTip("As screens and pictures have it (sRGB).");
-        form->addRow("sRGB", hex);
+        makeHex(form);
+        makeBoxes(form);
+        if (glow) makeStrength(form);
+        showColour();
+    }
+
+private:
+    static glm::dvec3 unitOf(const QColor& c) { return {linearFromSrgb(c.redF()), linearFromSrgb(c.greenF()), linearFromSrgb(c.blueF())}; }
+    void makeHex(QFormLayout* form)
+    {
+        hex_ = new QLineEdit(this);
+        hex_->setObjectName("colourHex");
+        hex_->setAccessibleName("sRGB as #rrggbb");
+        hex_->setToolTip("As screens and pictures have it (sRGB).");
+        form->addRow("sRGB", hex_);
+        connect(hex_, &QLineEdit::editingFinished, this, [this] {
+            const QString text = hex_->text().trimmed();
+            const QColor c(text.startsWith('#') ? text : "#" + text);
+            if (!c.isValid() || c == screenColour(linear_)) return showColour();
+            hex_->setModified(false);
+            set(unitOf(c), strengthOf(linear_), true);
+        });
+    }
+    void makeBoxes(QFormLayout* form)
+    {
         auto* line = new QHBoxLayout;
         line->setSpacing(4);
-        std::array<NumberBox*, 3> boxes;
         for (int i = 0; i < 3; ++i) {
-            boxes[size_t(i)] = new NumberBox(this);
-            boxes[size_t(i)]->setRange(0, 1);
-            boxes[size_t(i)]->setSingleStep(0.01);
-            boxes[size_t(i)]->setFixedWidth(50);
-            boxes[size_t(i)]->setAccessibleName(QString("Linear ") + QStringList{"red", "green", "blue"}[i]);
-            boxes[size_t(i)]->setToolTip("Linear light, 0 to 1, as the material keeps it.");
-            line->addWidget(boxes[size_t(i)]);
-        }
-        form->addRow("Linear", line);
-        NumberBox* strength = nullptr;
-        if (glow) {
-            strength = new NumberBox(this);
-            strength->setRange(1, 1e6);
-            strength->setAccessibleName("Strength");
-            strength->setToolTip("Factor on the colour; above 1 it glows.");
-            form->addRow("Strength", strength);
-        }
-        const auto show = [=, this] {
-            showing_ = true;
-            const double s = strengthOf(linear_);
-            const QColor c = screenColour(linear_);
-            square->setColour(c);
-            if (!hex->hasFocus() || !hex->isModified()) hex->setText(c.name().toUpper());
-            for (int i = 0; i < 3; ++i) boxes[size_t(i)]->setValue(linear_[i] / s);
-            if (strength) strength->setValue(s);
-            showing_ = false;
-        };
-        const auto set = [=, this](glm::dvec3 unit, double s, bool done) {
-            linear_ = unit * s;
-            show();
-            if (done)
-                emit owner->committed(linear_);
-            else
-                emit owner->edited(linear_);
-        };
-        square->changed = [=, this](const QColor& c, bool done) {
-            set({linearFromSrgb(c.redF()), linearFromSrgb(c.greenF()), linearFromSrgb(c.blueF())}, strengthOf(linear_), done);
-        };
-        connect(hex, &QLineEdit::editingFinished, this, [=, this] {
-            const QString text = hex->text().trimmed();
-            const QColor c(text.startsWith('#') ? text : "#" + text);
-            if (!c.isValid() || c == screenColour(linear_)) return show();
-            hex->setModified(false);
-            set({linearFromSrgb(c.redF()), linearFromSrgb(c.greenF()), linearFromSrgb(c.blueF())}, strengthOf(linear_), true);
-        });
-        for (int i = 0; i < 3; ++i)
-            connect(boxes[size_t(i)], &NumberBox::valueChanged, this, [=, this](double v) {
+            NumberBox* b = boxes_[size_t(i)] = new NumberBox(this);
+            b->setRange(0, 1);
+            b->setSingleStep(0.01);
+            b->setFixedWidth(50);
+            b->setAccessibleName(QString("Linear ") + QStringList{"red", "green", "blue"}[i]);
+            b->setToolTip("Linear light, 0 to 1, as the material keeps it.");
+            line->addWidget(b);
+            connect(b, &NumberBox::valueChanged, this, [this, i](double v) {
                 if (showing_) return;
                 glm::dvec3 unit = linear_ / strengthOf(linear_);
                 unit[i] = v;
                 set(unit, strengthOf(linear_), true);
             });
-        if (strength)
-            connect(strength, &NumberBox::valueChanged, this, [=, this](double v) {
-                if (!showing_) set(linear_ / strengthOf(linear_), v, true);
-            });
-        show();
+        }
+        form->addRow("Linear", line);
+    }
+    void makeStrength(QFormLayout* form)
+    {
+        strength_ = new NumberBox(this);
+        strength_->setRange(1, 1e6);
+        strength_->setAccessibleName("Strength");
+        strength_->setToolTip("Factor on the colour; above 1 it glows.");
+        form->addRow("Strength", strength_);
+        connect(strength_, &NumberBox::valueChanged, this, [this](double v) {
+            if (!showing_) set(linear_ / strengthOf(linear_), v, true);
+        });
     }
 
-private:
+    void showColour()
+    {
+        showing_ = true;
+        const double s = strengthOf(linear_);
+        const QColor c = screenColour(linear_);
+        square_->setColour(c);
+        if (!hex_->hasFocus() || !hex_->isModified()) hex_->setText(c.name().toUpper());
+        for (int i = 0; i < 3; ++i) boxes_[size_t(i)]->setValue(linear_[i] / s);
+        if (strength_) strength_->setValue(s);
+        showing_ = false;
+    }
+    /// `done`: no drag that goes on.
+    void set(glm::dvec3 unit, double strength, bool done)
+    {
+        linear_ = unit * strength;
+        showColour();
+        if (done)
+            emit owner_->committed(linear_);
+        else
+            emit owner_->edited(linear_);
+    }
+
+    ColourField* owner_;
+    HueSquare* square_;
+    QLineEdit* hex_;
+    std::array<NumberBox*, 3> boxes_{};
+    NumberBox* strength_ = nullptr;  ///< of what glows
     glm::dvec3 linear_;
     bool showing_ = false;
 };

@@ -53,6 +53,29 @@ TextureSlot::TextureSlot(Session& session, TextureKind kind, QWidget* parent) : 
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(1);
     grid->setColumnStretch(1, 1);
+    auto* title = new QLabel(w.title, this);
+    title->setToolTip(w.tip);
+    title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    name_ = new QLabel(this);
+    name_->setProperty("secondary", true);
+    name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    error_ = new QLabel(this);
+    error_->setProperty("bad", true);
+    error_->setWordWrap(true);
+    makeButtons();
+    makeCoordinates();
+    grid->addWidget(thumbnail_, 0, 0, 2, 1, Qt::AlignTop);
+    grid->addWidget(title, 0, 1);
+    grid->addWidget(name_, 1, 1);
+    grid->addWidget(clear_, 0, 2, 2, 1, Qt::AlignVCenter);
+    grid->addWidget(laid_, 2, 1, 1, 2);
+    grid->addWidget(error_, 3, 0, 1, 3);
+    error_->hide();
+}
+
+void TextureSlot::makeButtons()
+{
+    const Words& w = words[size_t(kind_)];
     thumbnail_ = new QToolButton(this);
     thumbnail_->setFixedSize(side + 4, side + 4);
     thumbnail_->setIconSize({side - 4, side - 4});
@@ -61,12 +84,6 @@ TextureSlot::TextureSlot(Session& session, TextureKind kind, QWidget* parent) : 
     thumbnail_->setAccessibleName(QString("Choose picture: %1").arg(w.title));
     thumbnail_->setToolTip(QString("%1 Click to choose a PNG or JPEG, or drop one here.").arg(w.tip));
     connect(thumbnail_, &QToolButton::clicked, this, [this] { choose(); });
-    auto* title = new QLabel(w.title, this);
-    title->setToolTip(w.tip);
-    title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    name_ = new QLabel(this);
-    name_->setProperty("secondary", true);
-    name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     clear_ = new QToolButton(this);
     clear_->setIcon(icon("x", look::tone().text2));
     clear_->setFixedSize(22, 22);
@@ -77,6 +94,10 @@ TextureSlot::TextureSlot(Session& session, TextureKind kind, QWidget* parent) : 
     connect(clear_, &QToolButton::clicked, this, [this] {
         run({"clear-texture", {{"node", nodeText(session_.document.scene(), node_)}, {"slot", slot_}, {"kind", textureKinds()[size_t(kind_)]}}});
     });
+}
+
+void TextureSlot::makeCoordinates()
+{
     laid_ = new QWidget(this);
     auto* line = new QHBoxLayout(laid_);
     line->setContentsMargins(0, 0, 0, 0);
@@ -92,25 +113,11 @@ TextureSlot::TextureSlot(Session& session, TextureKind kind, QWidget* parent) : 
     line->addWidget(set_);
     line->addWidget(repeat_);
     line->addStretch(1);
-    for (auto change : {0, 1}) {
-        const auto changed = [this] {
-            if (!filling_) run(callFor({}));
-        };
-        if (change == 0)
-            connect(set_, &QComboBox::activated, this, changed);
-        else
-            connect(repeat_, &QCheckBox::clicked, this, changed);
-    }
-    error_ = new QLabel(this);
-    error_->setProperty("bad", true);
-    error_->setWordWrap(true);
-    grid->addWidget(thumbnail_, 0, 0, 2, 1, Qt::AlignTop);
-    grid->addWidget(title, 0, 1);
-    grid->addWidget(name_, 1, 1);
-    grid->addWidget(clear_, 0, 2, 2, 1, Qt::AlignVCenter);
-    grid->addWidget(laid_, 2, 1, 1, 2);
-    grid->addWidget(error_, 3, 0, 1, 3);
-    error_->hide();
+    const auto changed = [this] {
+        if (!filling_) run(callFor({}));
+    };
+    connect(set_, &QComboBox::activated, this, changed);
+    connect(repeat_, &QCheckBox::clicked, this, changed);
 }
 
 void TextureSlot::show(NodeId node, int64_t slot)

@@ -28,6 +28,8 @@ protected:
     void paintEvent(QPaintEvent* e) override;
 
 private:
+    void makeButtons();
+    void makeCoordinates();
     void choose();
     void run(const EditCall& call);
     EditCall callFor(const QString& file) const;

@@ -1,38 +1,25 @@
-// See step_session.h. The Stepper belongs to one worker thread; commands go to it one at a time, results come back as plain values.
+// See step_session.h. Commands go to the worker one at a time, results come back as plain values.
 #include "ui/steps/step_session.h"
 
 #include <QLocale>
 #include <QThreadPool>
 #include <algorithm>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
 
 #include "core/catalog/others.h"
 #include "core/scene/edit.h"
 #include "core/scene/scene_pose.h"
-#include "ui/steps/step_history.h"
+#include "ui/steps/step_worker.h"
 
 namespace mw {
+
+using namespace moves;
 
 namespace {
 
 constexpr auto patience = std::chrono::milliseconds(8);  // the window waits this long for a step; longer ones come by event
 constexpr double batchLeast = 0.012, batchMost = 0.05;   // seconds a batch should take when it plays as fast as it goes
 constexpr int jobAfter = 300;                            // ms
-constexpr size_t warmFaces = 20'000;                     // from this size on the worker also makes what drawing needs
-using Wanted = std::function<bool(const StepRecord&)>;
-using Clock = std::chrono::steady_clock;
-
-/// A move: to a position, or forward to the first new step that is wanted.
-struct Command {
-    size_t target = 0;
-    Wanted wanted;      // set: search onwards from the last step seen
-    QString fallback;   // a phase: when the search ends without it, its first step
-    bool soft = false;  // waits for the move before it rather than breaking it off
-    bool batch = false;
-    QString title;
-};
 
 /// What the first node of that name shows; nothing when it shows no mesh.
 std::optional<Mesh> shownBy(const Document& document, const std::string& name)
@@ -41,107 +28,6 @@ std::optional<Mesh> shownBy(const Document& document, const std::string& name)
     for (const NodeId id : scene.nodes())
         if (const Node& n = scene.node(id); n.name == name && n.mesh) return document.shownMesh(n.mesh);
     return std::nullopt;
-}
-
-/// The running algorithm. Used by the worker only.
-struct Engine {
-    StartRun start;
-    std::unique_ptr<Stepper> stepper;
-};
-
-/// One command on its way. What follows `done` is written by the worker before, read by others after.
-struct Task {
-    Command command;
-    std::shared_ptr<Engine> engine;
-    Progress progress;
-    StepHistory passed;
-    std::string fallbackPhase;
-    size_t fallbackPosition = StepHistory::npos;
-
-    std::mutex mutex;
-    std::condition_variable ended;
-    bool done = false;
-
-    bool cancelled = false;
-    QString error;
-    StepRecord record;
-    Value value;
-    size_t position = 0, length = 0;
-    double seconds = 0;
-};
-
-void search(Stepper& stepper, Task& task, const Wanted& wanted)
-{
-    const size_t last = task.passed.end() - 1;
-    if (stepper.position() != last) stepper.seek(last, &task.progress);
-    bool found = false;
-    stepper.seekWhere(
-        [&](const StepRecord& r) {
-            task.passed.add(r);
-            found = wanted(r);
-            return found;
-        },
-        &task.progress);
-    task.passed.add(stepper.step());  // the end, which is not searched
-    if (found || task.command.fallback.isEmpty()) return;
-    const size_t newer = task.passed.nextOf(task.fallbackPhase, 0);
-    const size_t first = std::min(task.fallbackPosition, newer);
-    if (first != StepHistory::npos) stepper.seek(first, &task.progress);
-}
-
-void move(Stepper& stepper, Task& task)
-{
-    const Command& c = task.command;
-    if (c.wanted)
-        search(stepper, task, c.wanted);
-    else if (c.target < task.passed.end())
-        stepper.seek(c.target, &task.progress);
-    else
-        search(stepper, task, [&](const StepRecord& r) { return r.index >= c.target; });
-}
-
-void warm(const Value& value)
-{
-    const Mesh* mesh = std::get_if<Mesh>(&value);
-    if (!mesh || mesh->faceCount() < warmFaces) return;
-    mesh->vertexNormals();
-    mesh->triangulation();
-}
-
-void execute(Task& task)
-{
-    Engine& e = *task.engine;
-    const auto started = Clock::now();
-    try {
-        if (!e.stepper) e.stepper = std::make_unique<Stepper>(e.start);
-        move(*e.stepper, task);
-        task.record = e.stepper->step();
-        task.position = e.stepper->position();
-        task.length = e.stepper->length();
-        task.value = mw::valueOf(e.stepper->value());
-        warm(task.value);
-    } catch (const Cancelled&) {
-        task.cancelled = true;
-    } catch (const std::exception& x) {
-        task.error = QString::fromUtf8(x.what());
-        e.stepper.reset();  // an algorithm that threw cannot go on; it begins anew
-    }
-    task.seconds = std::chrono::duration<double>(Clock::now() - started).count();
-}
-
-/// Shows a move in the jobs list and lets it be cancelled there.
-void showAsJob(Jobs& jobs, const std::shared_ptr<Task>& task)
-{
-    jobs.start(task->command.title, [task](Progress& p) -> std::function<void()> {
-        std::unique_lock lock(task->mutex);
-        while (!task->ended.wait_for(lock, std::chrono::milliseconds(40), [&] { return task->done; })) {
-            p.fraction = task->progress.fraction.load();
-            if (p.cancelled) task->progress.cancelled = true;
-        }
-        if (task->cancelled) throw Cancelled{};
-        if (!task->error.isEmpty()) throw Error(task->error.toStdString());
-        return [] {};
-    });
 }
 
 bool sameShape(const MeshObject& a, const MeshObject& b)

@@ -12,6 +12,7 @@
 #include <QScrollBar>
 #include <QSvgRenderer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 namespace mw::look {
@@ -248,7 +249,7 @@ void keepWide(QScrollArea* area)
 
 SectionBar::SectionBar(const QString& title, QWidget* parent) : QWidget(parent), title_(title)
 {
-    setFixedHeight(24);
+    setFixedHeight(std::max(24, fontMetrics().height() + 6));
     setAccessibleName(title);
 }
 

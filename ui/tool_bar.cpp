@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
 
 #include "ui/actions.h"
 #include "ui/theme.h"
@@ -19,7 +20,7 @@ MainToolBar::MainToolBar(Actions& actions, Workspaces& workspaces, QWidget* wind
     setMovable(false);
     toggleViewAction()->setVisible(false);
     setContextMenuPolicy(Qt::PreventContextMenu);
-    setFixedHeight(40);
+    setFixedHeight(std::max(40, fontMetrics().height() + 20));  // larger text: larger tabs
     setIconSize({16, 16});
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     tabs_ = new QWidget(this);

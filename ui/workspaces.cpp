@@ -67,7 +67,7 @@ QWidget* titleBar(QDockWidget* dock)
     auto* bar = new QWidget(dock);
     bar->setObjectName("dockTitle");
     bar->setAttribute(Qt::WA_StyledBackground);
-    bar->setFixedHeight(28);
+    bar->setFixedHeight(std::max(28, bar->fontMetrics().height() + 8));
     auto* line = new QHBoxLayout(bar);
     line->setContentsMargins(10, 0, 4, 0);
     line->addWidget(new QLabel("<b>" + dock->windowTitle() + "</b>", bar), 1);

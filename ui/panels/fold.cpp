@@ -1,6 +1,7 @@
 #include "ui/panels/fold.h"
 
 #include <QHash>
+#include <algorithm>
 
 #include "ui/theme.h"
 
@@ -21,7 +22,7 @@ Fold::Fold(const QString& title, const QString& key, bool open, QWidget* parent)
     box->setSpacing(4);
     head_ = new QToolButton(this);
     head_->setCheckable(true);
-    head_->setFixedHeight(24);
+    head_->setFixedHeight(std::max(24, fontMetrics().height() + 8));
     head_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a long name gives way to a narrow dock
     head_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     head_->setFocusPolicy(Qt::TabFocus);

@@ -1,42 +1,27 @@
 // Edits from the window: menus and keys, reasons why not, the history as a command line that a shell runs to the same scene.
 #include <QAction>
-#include <QApplication>
 #include <QClipboard>
 #include <QMenu>
 #include <QProcess>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
 
 #include "core/io/io.h"
 #include "core/scene/command_line.h"
-#include "ui/application.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/edit_commands.h"
-#include "ui/evaluation_service.h"
 #include "ui/file_commands.h"
-#include "ui/main_window.h"
 #include "ui/stack_edits.h"
 #include "ui/terrain_edits.h"
 #include "ui/viewport/viewport.h"
 
 using namespace mw;
 
-class EditsTest : public QObject {
+class EditsTest : public QObject, protected WindowFixture {
     Q_OBJECT
 
 private:
-    std::unique_ptr<MainWindow> w_;
-    QTemporaryDir folder_;
-
-    Document& document() { return w_->session().document; }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(w_->evaluations().idle() && !w_->session().jobs.busy(), 60000); }
-    QAction* action(const QString& text)
-    {
-        for (QAction* a : w_->findChildren<QAction*>())
-            if (a->text() == text) return a;
-        qFatal("there is no action \"%s\"", qPrintable(text));
-    }
     NodeId node(const char* name) { return nodeOf(document().scene(), name); }
     void select(const char* names) { document().select({nodesOf(document().scene(), names), {}, {}}); }
     void openSphere()
@@ -62,13 +47,7 @@ private:
     }
 
 private slots:
-    void init()
-    {
-        w_ = std::make_unique<MainWindow>();
-        w_->resize(1280, 800);
-        w_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(w_.get()));
-    }
+    void init() { showWindow(1280, 800); }
     void cleanup() { w_.reset(); }
 
     void duplicatesJoinsAndTakesApart()
@@ -205,11 +184,7 @@ private slots:
 
 int main(int argc, char** argv)
 {
-    mw::prepareApplication();
-    QApplication app(argc, argv);
-    mw::dressApplication(app);
-    EditsTest test;
-    return QTest::qExec(&test, argc, argv);
+    return runTests<EditsTest>(argc, argv);
 }
 
 #include "edits_test.moc"

@@ -1,6 +1,5 @@
 // Files in the window: dropped, placed, exported, found again; shortcuts and search; proved by the document and by reading what was written.
 #include <QAction>
-#include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDirIterator>
@@ -14,21 +13,18 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
 #include <QTreeWidget>
 
 #include "core/io/preflight.h"
 #include "core/scene/samples.h"
-#include "ui/application.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/banner.h"
 #include "ui/command_search.h"
 #include "ui/drop_target.h"
-#include "ui/evaluation_service.h"
 #include "ui/export_sheet.h"
 #include "ui/file_commands.h"
-#include "ui/main_window.h"
 #include "ui/shortcuts.h"
 #include "ui/shortcuts_sheet.h"
 #include "ui/stack_edits.h"
@@ -39,17 +35,10 @@
 
 using namespace mw;
 
-class FilesTest : public QObject {
+class FilesTest : public QObject, protected WindowFixture {
     Q_OBJECT
 
 private:
-    std::unique_ptr<MainWindow> w_;
-    QTemporaryDir folder_;
-
-    Document& document() { return w_->session().document; }
-    QString path(const QString& name) { return folder_.filePath(name); }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(w_->evaluations().idle() && !w_->session().jobs.busy(), 120000); }
-
     // A box of 2 x 4 x 6 in a text that says nothing of units.
     QString boxFile()
     {
@@ -108,10 +97,7 @@ private slots:
     void init()
     {
         QSettings().clear();
-        w_ = std::make_unique<MainWindow>();
-        w_->resize(1280, 800);
-        w_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(w_.get()));
+        showWindow(1280, 800);
     }
     void cleanup() { w_.reset(); }
 
@@ -353,13 +339,14 @@ private slots:
             QDirIterator all(data + "/" + part, QDir::Files, QDirIterator::Subdirectories);
             while (all.hasNext()) files << all.next();
         }
+        const Scene box = sceneOf(std::get<Mesh>(apply(operation("box"), {}, {})), "box");
         int opened = 0, refused = 0, asked = 0, barred = 0, seen = 0;
         for (const QString& file : files) {
             if (QFileInfo(file).size() > (8 << 20)) continue;                                     // large ones have tests of their own
             if (++seen % 4 != 1 && !qEnvironmentVariableIsSet("MESHWRIGHT_ALL_DROPS")) continue;  // all of them take four minutes
             for (const QPoint at : {onView(), onBar()}) {
                 if (at == onBar() && ++barred % 8 != 1) continue;  // the toolbar goes the way of the Open dialog
-                w_->files().openScene(sampleScene("blossom"), "Open Blossom");
+                w_->files().openScene(box, "Open box");
                 settle();
                 const auto before = document().snapshot();
                 w_->banner().hide();
@@ -385,11 +372,7 @@ private slots:
 
 int main(int argc, char** argv)
 {
-    prepareApplication();
-    QApplication app(argc, argv);
-    dressApplication(app);
-    FilesTest test;
-    return QTest::qExec(&test, argc, argv);
+    return runTests<FilesTest>(argc, argv);
 }
 
 #include "files_test.moc"

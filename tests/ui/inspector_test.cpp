@@ -13,10 +13,10 @@
 
 #include "core/catalog/catalog.h"
 #include "core/mesh/topology.h"
+#include "tests/ui/panel_desk.h"
 #include "ui/panels/inspection.h"
 #include "ui/panels/inspector_rows.h"
 #include "ui/panels/valence_histogram.h"
-#include "ui/session.h"
 
 using namespace mw;
 
@@ -42,32 +42,8 @@ Mesh sheetWithHole(uint32_t n)
     return Mesh::triangles(std::move(p), std::move(t));
 }
 
-struct Desk {
-    Document document;
-    Jobs jobs;
-    ViewState view;
-    StepSession steps{document, jobs};
-    Session session{document, jobs, view, steps};
-    NodeId node;
-    std::unique_ptr<QWidget> panel;
-
-    explicit Desk(const Mesh& mesh)
-    {
-        Scene s;
-        MeshObject object;
-        object.name = "sheet";
-        object.base = mesh;
-        Node n;
-        n.name = "sheet";
-        n.local.translation = {10, 0, 0};
-        n.mesh = s.add(object);
-        node = s.add(n);
-        document.open(s, {}, "New");
-        document.select({{node}, {}, {}});
-        panel.reset(makeInspectorPanel(session, nullptr));
-        panel->resize(304, 600);
-        panel->show();
-    }
+struct Desk : PanelDesk {
+    explicit Desk(const Mesh& mesh) : PanelDesk(mesh, "sheet", {10, 0, 0}) { show(makeInspectorPanel, 304, 600); }
     QTreeWidget* tree() const { return panel->findChild<QTreeWidget*>("inspect-list"); }
     QTreeWidgetItem* row(const QString& title) const
     {

@@ -1,22 +1,18 @@
 // Operations that work with another mesh, as a person uses them: the row that names it, the morph that plays at once.
-#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/catalog/others.h"
 #include "core/character/skin.h"
 #include "core/io/io.h"
 #include "core/mesh/topology.h"
-#include "ui/application.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/edit_commands.h"
-#include "ui/evaluation_service.h"
 #include "ui/file_commands.h"
-#include "ui/main_window.h"
 #include "ui/object_choices.h"
 #include "ui/parameter_form.h"
 #include "ui/playback.h"
@@ -25,13 +21,10 @@
 
 using namespace mw;
 
-class MorphWindowTest : public QObject {
+class MorphWindowTest : public QObject, protected WindowFixture {
     Q_OBJECT
 
 private:
-    std::unique_ptr<MainWindow> w_;
-
-    Document& document() { return w_->session().document; }
     Playback& play() { return *w_->session().playback; }
     NodeId node(const char* name)
     {
@@ -54,12 +47,6 @@ private:
         w_->files().openScene(scene, "Open");
         document().select({{node(meshes.begin()->first)}, {}, {}});
         settle();
-    }
-    void settle()
-    {
-        QTest::qWait(30);
-        QTRY_VERIFY_WITH_TIMEOUT(w_->evaluations().idle() && !w_->session().jobs.busy(), 60000);
-        QTest::qWait(30);
     }
     void add(const char* id)
     {
@@ -98,13 +85,7 @@ private:
     }
 
 private slots:
-    void init()
-    {
-        w_ = std::make_unique<MainWindow>();
-        w_->resize(1280, 900);
-        w_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(w_.get()));
-    }
+    void init() { showWindow(1280, 900); }
     void cleanup() { w_.reset(); }
 
     void takesTheOnlyOtherMeshAndPlays()
@@ -181,11 +162,7 @@ private slots:
 
 int main(int argc, char** argv)
 {
-    prepareApplication();
-    QApplication app(argc, argv);
-    dressApplication(app);
-    MorphWindowTest test;
-    return QTest::qExec(&test, argc, argv);
+    return runTests<MorphWindowTest>(argc, argv);
 }
 
 #include "morph_test.moc"

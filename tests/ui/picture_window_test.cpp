@@ -1,47 +1,30 @@
 // Light, matcaps and pictures from the window.
 #include <QAction>
-#include <QApplication>
 #include <QFileInfo>
 #include <QImage>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/scene/samples.h"
-#include "ui/application.h"
-#include "ui/evaluation_service.h"
-#include "ui/main_window.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/viewport/viewport.h"
 // epoxy comes before Qt's own OpenGL headers
 #include "ui/pictures.h"
 
 using namespace mw;
 
-class PictureWindowTest : public QObject {
+class PictureWindowTest : public QObject, protected WindowFixture {
     Q_OBJECT
 
 private:
-    std::unique_ptr<MainWindow> w_;
-    QTemporaryDir folder_;
-
-    Viewport& view() { return *w_->findChild<Viewport*>("viewport"); }
-    QAction* action(const QString& text)
-    {
-        for (QAction* a : w_->findChildren<QAction*>())
-            if (a->text() == text) return a;
-        return nullptr;
-    }
     PictureWish small() { return {160, 120, false, false, 6, true}; }
 
 private slots:
     void init()
     {
-        w_ = std::make_unique<MainWindow>();
-        w_->resize(1100, 700);
-        w_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(w_.get()));
+        showWindow(1100, 700);
         w_->session().document.commit("sample", sampleScene("mannequin"));
-        QTRY_VERIFY_WITH_TIMEOUT(w_->evaluations().idle() && !w_->session().jobs.busy(), 60000);
+        settle();
     }
     void cleanup() { w_.reset(); }
 
@@ -126,11 +109,7 @@ private slots:
 
 int main(int argc, char** argv)
 {
-    prepareApplication();
-    QApplication app(argc, argv);
-    dressApplication(app);
-    PictureWindowTest test;
-    return QTest::qExec(&test, argc, argv);
+    return runTests<PictureWindowTest>(argc, argv, 4);
 }
 
 #include "picture_window_test.moc"

@@ -14,8 +14,8 @@
 #include "core/mesh/halfedge_walk.h"
 #include "core/mesh/primitives.h"
 #include "core/mesh/triangle_adjacency.h"
+#include "tests/ui/panel_desk.h"
 #include "ui/panels/record_tables.h"
-#include "ui/session.h"
 
 using namespace mw;
 
@@ -41,31 +41,8 @@ Mesh sheet()
     return Mesh::triangles(std::move(p), std::move(t));
 }
 
-struct Desk {
-    Document document;
-    Jobs jobs;
-    ViewState view;
-    StepSession steps{document, jobs};
-    Session session{document, jobs, view, steps};
-    NodeId node;
-    std::unique_ptr<QWidget> panel;
-
-    explicit Desk(const Mesh& mesh)
-    {
-        Scene s;
-        MeshObject object;
-        object.name = "sheet";
-        object.base = mesh;
-        Node n;
-        n.name = "sheet";
-        n.mesh = s.add(object);
-        node = s.add(n);
-        document.open(s, {}, "New");
-        document.select({{node}, {}, {}});
-        panel.reset(makeRecordsPanel(session, nullptr));
-        panel->resize(304, 700);
-        panel->show();
-    }
+struct Desk : PanelDesk {
+    explicit Desk(const Mesh& mesh) : PanelDesk(mesh) { show(makeRecordsPanel, 304, 700); }
     void pick(ElementKind kind, std::vector<uint32_t> indices) { document.select({{node}, node, {kind, std::move(indices)}}); }
     QTableWidget* table() const { return panel->findChild<QTableWidget*>("records-table"); }
     QString title() const { return panel->findChild<QLabel*>("records-title")->text(); }

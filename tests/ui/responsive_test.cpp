@@ -1,31 +1,20 @@
 // The window always answers: the longest time one event keeps its thread, painting apart, while large meshes are opened, simplified,
 // subdivided, selected and saved; and how soon a cancel is acknowledged and obeyed. Printed; bounded by time of the processor, so that
 // a busy machine does not fail it.
-#include <QApplication>
 #include <QElapsedTimer>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
-#include <ctime>
 
 #include "core/io/io.h"
-#include "ui/application.h"
-#include "ui/evaluation_service.h"
+#include "tests/ui/thread_time.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/file_commands.h"
-#include "ui/main_window.h"
 #include "ui/stack_edits.h"
 #include "ui/viewport/viewport.h"
 
 using namespace mw;
 
 namespace {
-
-double processorMilliseconds()
-{
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return 1e3 * double(t.tv_sec) + 1e-6 * double(t.tv_nsec);
-}
 
 struct Span {
     double wall = 0, processor = 0;
@@ -55,13 +44,13 @@ public:
         const QString what = QString("%1 to %2 %3").arg(int(event->type())).arg(receiver->metaObject()->className(), receiver->objectName());
         QElapsedTimer clock;
         clock.start();
-        const double begin = processorMilliseconds();
+        const double begin = threadMilliseconds();
         const Span before = painting_;
         if (paints) inPaint_ = true;
         ++depth_;
         const bool handled = QApplication::notify(receiver, event);
         --depth_;
-        Span span{double(clock.nsecsElapsed()) * 1e-6, processorMilliseconds() - begin};
+        Span span{double(clock.nsecsElapsed()) * 1e-6, threadMilliseconds() - begin};
         if (paints) {
             inPaint_ = false;
             painting_.wall += span.wall;
@@ -91,16 +80,11 @@ TimedApplication& app()
 
 }  // namespace
 
-class ResponsiveTest : public QObject {
+class ResponsiveTest : public QObject, protected WindowFixture {
     Q_OBJECT
 
 private:
-    std::unique_ptr<MainWindow> w_;
-    QTemporaryDir folder_;
-
-    Document& document() { return w_->session().document; }
     MeshId mesh() { return document().scene().meshes().front(); }
-    bool busy() { return !w_->evaluations().idle() || w_->session().jobs.busy(); }
 
     QString largeFile()
     {
@@ -148,10 +132,7 @@ private:
 private slots:
     void init()
     {
-        w_ = std::make_unique<MainWindow>();
-        w_->resize(1100, 700);
-        w_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(w_.get()));
+        showWindow(1100, 700);
         QTest::qWait(200);
         app().reset();
     }

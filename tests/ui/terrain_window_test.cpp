@@ -1,22 +1,19 @@
 // Terrains as a person makes, paints and saves them, proved by the state of the document and by files.
 #include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <functional>
 
 #include "core/io/height_picture.h"
 #include "core/io/io.h"
-#include "ui/application.h"
-#include "ui/evaluation_service.h"
+#include "core/scene/edit.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/file_commands.h"
-#include "ui/main_window.h"
 #include "ui/parameter_form.h"
 #include "ui/terrain_edits.h"
 #include "ui/viewport/viewport.h"
@@ -24,31 +21,21 @@
 
 using namespace mw;
 
-class TerrainWindowTest : public QObject {
+class TerrainWindowTest : public QObject, protected WindowFixture {
     Q_OBJECT
 
 private:
-    std::unique_ptr<MainWindow> w_;
-    QTemporaryDir folder_;
-
-    Document& document() { return w_->session().document; }
-    Viewport& view() { return w_->viewport(); }
     NodeId node() { return edits::activeTerrain(document()); }
     const Terrain& terrain() { return edits::terrainOf(document(), node())->terrain; }
-    QString path(const char* name) { return folder_.filePath(name); }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(w_->evaluations().idle() && !w_->session().jobs.busy(), 60000); }
 
-    // 257 x 257 by diamond-square: small, so that the software renderer keeps up.
+    // 257 x 257 by diamond-square.
     void makeTerrain()
     {
-        const Operation& source = operation("diamond-square");
-        edits::newTerrain(w_->session(), source, checked(source.parameters, {{"size", int64_t(257)}, {"seed", int64_t(3)}}));
+        const EditCall make{"new-terrain", {{"op", std::string("diamond-square")}, {"with", std::string("size=257,seed=3")}}};
+        w_->files().openScene(drawnCoarsely(edited(Scene(), make)), "Open terrain");
         settle();
         QVERIFY(node());
         w_->workspaces().change("Terrain");
-        Terrain small = terrain();
-        small.detail = {8, 16, 4, 80, 900, true};
-        edits::commitTerrain(document(), node(), small, "detail");
         view().frameAll(false);
         QTest::qWait(100);
     }
@@ -76,21 +63,9 @@ private:
             for (uint32_t x = 0; x < a.tilesX(); ++x) n += a.tile(x, y).id() != b.tile(x, y).id();
         return n;
     }
-    QAction* menuAction(const QString& text)
-    {
-        for (QAction* a : w_->findChildren<QAction*>())
-            if (a->text() == text) return a;
-        return nullptr;
-    }
 
 private slots:
-    void init()
-    {
-        w_ = std::make_unique<MainWindow>();
-        w_->resize(1280, 800);
-        w_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(w_.get()));
-    }
+    void init() { showWindow(1280, 800); }
     void cleanup() { w_.reset(); }
 
     void emptyPanelsOfferATerrain()
@@ -103,13 +78,13 @@ private slots:
             for (QPushButton* b : panel->findChildren<QPushButton*>()) offered |= b->isVisibleTo(panel) && b->text() == "New terrain";
             QVERIFY2(offered, id);
         }
-        QVERIFY(!menuAction("Terrain to mesh")->isEnabled());
-        menuAction("New terrain")->trigger();
+        QVERIFY(!action("Terrain to mesh")->isEnabled());
+        action("New terrain")->trigger();
         settle();
         QCOMPARE(document().scene().terrains().size(), size_t(1));
         QCOMPARE(terrain().map.width(), 1025u);
         QCOMPARE(document().selection().active(), node());
-        QVERIFY(menuAction("Terrain to mesh")->isEnabled());
+        QVERIFY(action("Terrain to mesh")->isEnabled());
     }
 
     void generates()
@@ -284,8 +259,7 @@ private slots:
     void nothingIsDrawnWhileNothingHappens()
     {
         makeTerrain();
-        settle();
-        QTest::qWait(2500);
+        settleView();
         const size_t drawn = view().framesDrawn();
         QTest::qWait(500);
         QCOMPARE(view().framesDrawn(), drawn);
@@ -294,11 +268,7 @@ private slots:
 
 int main(int argc, char** argv)
 {
-    prepareApplication();
-    QApplication app(argc, argv);
-    dressApplication(app);
-    TerrainWindowTest test;
-    return QTest::qExec(&test, argc, argv);
+    return runTests<TerrainWindowTest>(argc, argv);
 }
 
 #include "terrain_window_test.moc"

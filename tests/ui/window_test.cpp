@@ -1,21 +1,17 @@
 // The window as a person uses it, proved by the state of the document.
-#include <QApplication>
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
 
 #include "core/io/io.h"
 #include "core/scene/samples.h"
-#include "ui/application.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/banner.h"
-#include "ui/evaluation_service.h"
 #include "ui/file_commands.h"
-#include "ui/main_window.h"
 #include "ui/parameter_form.h"
 #include "ui/stack_edits.h"
 #include "ui/steps/step_player.h"
@@ -24,18 +20,13 @@
 
 using namespace mw;
 
-class WindowTest : public QObject {
+class WindowTest : public QObject, protected WindowFixture {
     Q_OBJECT
 
 private:
-    std::unique_ptr<MainWindow> w_;
-    QTemporaryDir folder_;
-
-    Document& document() { return w_->session().document; }
     MeshId mesh() { return document().scene().meshes().front(); }
     const MeshObject& object() { return *document().scene().find(mesh()); }
     size_t resultFaces() { return document().evaluation(mesh()) ? document().evaluation(mesh())->result().faceCount() : 0; }
-    QString path(const char* name) { return folder_.filePath(name); }
 
     // A sphere of 1,280 triangles in a file.
     QString sphereFile()
@@ -51,16 +42,9 @@ private:
         QVERIFY(opened.wait(20000));
         QTRY_VERIFY_WITH_TIMEOUT(w_->evaluations().idle(), 20000);
     }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(w_->evaluations().idle() && !w_->session().jobs.busy(), 60000); }
 
 private slots:
-    void init()
-    {
-        w_ = std::make_unique<MainWindow>();
-        w_->resize(1280, 800);
-        w_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(w_.get()));
-    }
+    void init() { showWindow(1280, 800); }
     void cleanup() { w_.reset(); }
 
     void opensAFileAndSelectsIt()
@@ -246,8 +230,7 @@ private slots:
     void drawsOnlyWhenSomethingChanged()
     {
         openSphere();
-        settle();
-        QTest::qWait(700);
+        settleView();
         const size_t drawn = w_->viewport().framesDrawn();
         QTest::qWait(500);
         QCOMPARE(w_->viewport().framesDrawn(), drawn);
@@ -266,11 +249,7 @@ private slots:
 
 int main(int argc, char** argv)
 {
-    prepareApplication();
-    QApplication app(argc, argv);
-    dressApplication(app);
-    WindowTest test;
-    return QTest::qExec(&test, argc, argv);
+    return runTests<WindowTest>(argc, argv);
 }
 
 #include "window_test.moc"

@@ -36,7 +36,7 @@ void stripOfCube(Page& page)
     for (size_t i = 0; i + 2 < cubeStrip.size(); ++i) {
         band.polygon({bandPlace(i), bandPlace(i + 1), bandPlace(i + 2)}, color(i));
         const glm::dvec2 middle = (bandPlace(i) + bandPlace(i + 1) + bandPlace(i + 2)) / 3.0;
-        band.words(middle, std::to_string(i), {page.ink(Ink::Faint), Beside::On, 12, false, false});
+        band.words(middle, std::to_string(i), {page.ink(Ink::Text), Beside::On, 13, false, false});
     }
     for (size_t i = 0; i + 2 < cubeStrip.size(); ++i) band.path({bandPlace(i), bandPlace(i + 2)}, Pen(page.ink(Ink::Line), 1.5f));
     std::vector<At> order;

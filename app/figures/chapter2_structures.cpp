@@ -259,11 +259,15 @@ void halfEdgeFaces(Page& page)
     }
     const uint32_t e1 = w.next(w.ofFace(0)), e2 = w.next(e1), e3 = w.prev(e1);
     TablePanel& t = page.table("in the marked triangle", {"half-edge", "next", "prev", "pair"});
-    const auto name = [&](uint32_t h) { return h == e1 ? std::string("e1") : h == e2 ? "e2" : h == e3 ? "e3" : "half-edge " + std::to_string(h); };
+    const auto name = [&](uint32_t h) { return h == e1 ? "e1" : h == e2 ? "e2" : "e3"; };
     for (const uint32_t h : {e1, e2, e3}) {
-        const At c = centreOf(grid, 0), m = middleOf(grid, w.source(h), w.target(h));
-        d.words(At(glm::mix(m.p, c.p, 0.5)), name(h), {page.ink(Ink::Focus), Beside::On, 18, true});
-        t.row({name(h), name(w.next(h)), name(w.prev(h)), name(w.pair(h))});
+        const At m = middleOf(grid, w.source(h), w.target(h));
+        d.words(At(glm::mix(m.p, centreOf(grid, 0).p, 0.5)), name(h), {page.ink(Ink::Focus), Beside::On, 18, true});
+        const uint32_t pair = w.pair(h), beyond = w.face(pair);
+        std::string pairName = name(h) + std::string("\u2032");
+        if (beyond != none) d.words(At(glm::mix(m.p, centreOf(grid, beyond).p, 0.5)), pairName, {page.ink(Ink::Line), Beside::On, 18, true});
+        if (beyond == none) pairName += ", no face";
+        t.row({name(h), name(w.next(h)), name(w.prev(h)), pairName});
     }
     page.number("least area on the left", least);
     page.number("half-edges with a face on both sides", inner);
@@ -281,7 +285,7 @@ void adjacencyPrimitive(Page& page)
     s.put(cow);
     double longest = 0;
     for (size_t i = 0; i < 6; ++i) longest = std::max(longest, glm::distance(s.at(v[i]), s.at(v[(i + 2) % 6])));
-    closeUp(s, s.centre(face), normalOf(cow, face), 0.62 * longest);
+    closeUp(s, s.centre(face), normalOf(cow, face), 0.78 * longest);
     s.faces({face}, glm::vec4(glm::vec3(page.ink(Ink::Focus)), 0.75f));
     s.edges({v[0], v[2], v[2], v[4], v[4], v[0]}, page.ink(Ink::Focus), 4);
     s.edges({v[0], v[1], v[1], v[2], v[2], v[3], v[3], v[4], v[4], v[5], v[5], v[0]}, page.ink(Ink::Neighbour), 4);

@@ -185,7 +185,7 @@ void edgeCost(Page& page)
     s.look(patchAzimuth, patchElevation);
     s.put(mesh);
     s.wires(false);
-    s.heat(t, 0, 0, 2, true);
+    s.heat(t, 0, 1, 0, true);
     page.number("edges", mesh.edges().size() / 2);
     page.number("values", t.columns[0].values.size());
     page.number("least", *least);

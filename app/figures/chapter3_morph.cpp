@@ -76,9 +76,9 @@ void parametricIdea(Page& page)
     target.look(20, 35);
     target.put(torusMesh(ringRadius, tubeRadius, 32, 16));
     source.disc(on, page.ink(Ink::Focus), 11);
-    source.label(on, "P", page.ink(Ink::Text));
+    source.label(on, "P", page.ink(Ink::Text), Beside::Auto, 18, true);
     target.disc(there, page.ink(Ink::Focus), 11);
-    target.label(there, "Q", page.ink(Ink::Text));
+    target.label(there, "Q", page.ink(Ink::Text), Beside::Auto, 18, true);
     const Pen pen = Pen(page.ink(Ink::Focus), 2).arrow().gaps(8, 9);
     page.link(source, on, a, inSource, pen);
     page.link(a, inSource, b, inTarget, pen);

@@ -136,12 +136,12 @@ void butterflyStencil(Page& page)
         char letter = 'A';
         for (const auto& t : terms) {
             const bool end = letter <= 'B', wing = letter >= 'E';
-            d.disc(flat(grid, t.vertex), page.ink(end ? Ink::Focus : wing ? Ink::Rejected : Ink::Neighbour), 12);
+            d.disc(flat(grid, t.vertex), page.ink(end ? Ink::Focus : wing ? Ink::Rejected : Ink::Neighbour), 26);
+            d.words(flat(grid, t.vertex), std::string(1, letter++), {page.ink(Ink::Panel), Beside::On, 15, true, false});
             const glm::dvec2 away = flat(grid, t.vertex) - middle;
-            d.label(flat(grid, t.vertex), std::string(1, letter++) + "  " + fraction(t.weight), page.ink(Ink::Text),
-                    end          ? (away.x > 0 ? Beside::Right : Beside::Left)
-                    : away.y > 0 ? Beside::Above
-                                 : Beside::Below);
+            d.words(flat(grid, t.vertex), fraction(t.weight),
+                    {page.ink(Ink::Text), end ? (away.x > 0 ? Beside::Right : Beside::Left) : (away.y > 0 ? Beside::Above : Beside::Below), 16, false,
+                     true, 16});
             weights.push_back(t.weight);
             sum += t.weight;
         }

@@ -240,7 +240,7 @@ void Page::paintLegends(Painter& painter, const Panel& panel, float& y) const
         if (k.line)
             painter.path({{x + 2, middle}, {x + 18, middle}}, Pen(k.color, 3));
         else
-            painter.box({{x + 3, middle - 6}, {x + 16, middle + 6}}, k.color, 2);
+            painter.box({{x + 3, middle - 6}, {x + 16, middle + 6}}, k.color, 2, ink(Ink::Faint), 1);
         painter.line({x + 24, middle + 5}, k.text, 14, ink(Ink::Text));
         x += w;
     }

@@ -143,6 +143,19 @@ float Painter::width(std::string_view text, int size, bool bold) const
     return canvas_.width(text, pixels(size), bold) / px_;
 }
 
+namespace {
+
+/// Where a line may break first: at a space, but not beside a sign of equality.
+size_t breakOf(std::string_view text)
+{
+    size_t stop = text.find_first_of(" \n");
+    while (stop < text.size() && text[stop] == ' ' && (text.substr(stop + 1, 1) == "=" || (stop > 0 && text[stop - 1] == '=')))
+        stop = text.find_first_of(" \n", stop + 1);
+    return std::min(stop, text.size());
+}
+
+}  // namespace
+
 std::vector<std::string> Painter::wrapped(std::string_view text, int size, float widest) const
 {
     std::vector<std::string> lines;
@@ -152,7 +165,7 @@ std::vector<std::string> Painter::wrapped(std::string_view text, int size, float
         now.clear();
     };
     while (!text.empty()) {
-        const size_t stop = std::min(text.find_first_of(" \n"), text.size());
+        const size_t stop = breakOf(text);
         const std::string word(text.substr(0, stop));
         const std::string longer = now.empty() ? word : now + " " + word;
         if (!now.empty() && width(longer, size) > widest) {

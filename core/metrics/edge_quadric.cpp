@@ -28,7 +28,7 @@ Generator edgeQuadric(Mesh input, EdgeQuadric parameters, Stage<Table>& stage)
 {
     constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
     co_yield Step("gather").number("vertices", double(input.vertexCount())).progress(0);
-    const VertexQuadrics q = vertexQuadricsOf(input, parameters.weight);
+    const VertexQuadrics q = vertexQuadricsOf(input, faceMeasuresOf(input), parameters.weight);
     if (!stage.watched()) co_yield Step("gather").progress(0);
     const Shared<uint32_t>& ends = input.edges();
     if (!stage.watched()) co_yield Step("gather").progress(0);

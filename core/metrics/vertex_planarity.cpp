@@ -22,14 +22,13 @@ public:
         table.columns = {{"d / longest edge", "", Array<double>(mesh.vertexCount(), undefined), false},
                          {"d", "", Array<double>(mesh.vertexCount(), undefined), false}};
     }
+    std::vector<uint32_t> facesOf(uint32_t v) const;
     bool inside(uint32_t v) const { return border_.place[v] == BorderNeighbours::Place::Inside; }
     void measure(uint32_t v);
     void summarise();
 
     Table table;
-    std::vector<uint32_t> faces;  // of the last vertex
-    AveragePlane plane;
-    double longest = 0, height = 0;
+    double longest = 0, height = 0;  // of the last vertex
     glm::vec3 foot{0}, at{0};
 
 private:
@@ -39,22 +38,31 @@ private:
     BorderNeighbours border_;
 };
 
+std::vector<uint32_t> Planarity::facesOf(uint32_t v) const
+{
+    std::vector<uint32_t> faces;
+    for (const uint32_t c : mesh_.rings().cornersOf(v)) faces.push_back(faceOf_[c]);
+    return faces;
+}
+
 void Planarity::measure(uint32_t v)
 {
     const Rings& rings = mesh_.rings();
     const glm::dvec3 p = mesh_.positions()[v];
-    faces.clear();
-    plane = AveragePlane();
-    longest = height = 0;
-    foot = at = mesh_.positions()[v];
-    for (const uint32_t c : rings.cornersOf(v)) {
-        faces.push_back(faceOf_[c]);
-        plane.add(measures_[faces.back()]);
+    AveragePlane plane;
+    for (const uint32_t c : rings.cornersOf(v)) plane.add(measures_[faceOf_[c]]);
+    double square = 0;
+    for (const uint32_t w : rings.neighboursOf(v)) {
+        const glm::dvec3 side = glm::dvec3(mesh_.positions()[w]) - p;
+        square = std::max(square, glm::dot(side, side));
     }
-    for (const uint32_t w : rings.neighboursOf(v)) longest = std::max(longest, glm::distance(p, glm::dvec3(mesh_.positions()[w])));
+    longest = std::sqrt(square);
+    height = 0;
+    foot = at = mesh_.positions()[v];
     if (!inside(v) || !plane.defined() || !(longest > 0)) return;
-    height = plane.height(p);
-    foot = p - height * plane.normal();
+    const glm::dvec3 normal = plane.normal();
+    height = glm::dot(normal, p - plane.point());
+    foot = p - height * normal;
     table.columns[0].values[v] = std::abs(height) / longest;
     table.columns[1].values[v] = std::abs(height);
 }
@@ -89,13 +97,14 @@ Generator vertexPlanarity(Mesh input, VertexPlanarity, Stage<Table>& stage)
             if ((v & 8191) == 0) co_yield Step("measure").progress(v / all);
             continue;
         }
+        const std::vector<uint32_t> faces = p.facesOf(v);
         if (p.inside(v))
             co_yield Step("measure")
                 .vertex(v, Role::Current, "v")
-                .ring(ElementKind::Face, Role::Neighbour, p.faces)
+                .ring(ElementKind::Face, Role::Neighbour, faces)
                 .point(p.foot, Role::New, "p")
                 .segment(p.at, p.foot, Role::New, "d")
-                .number("faces", double(p.faces.size()))
+                .number("faces", double(faces.size()))
                 .number("d", std::abs(p.height))
                 .number("longest", p.longest)
                 .number("cost", p.table.columns[0].values[v])
@@ -103,8 +112,8 @@ Generator vertexPlanarity(Mesh input, VertexPlanarity, Stage<Table>& stage)
         else
             co_yield Step("border")
                 .vertex(v, Role::Rejected, "v")
-                .ring(ElementKind::Face, Role::Neighbour, p.faces)
-                .number("faces", double(p.faces.size()))
+                .ring(ElementKind::Face, Role::Neighbour, faces)
+                .number("faces", double(faces.size()))
                 .progress(v / all);
     }
     p.summarise();

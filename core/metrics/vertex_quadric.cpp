@@ -12,8 +12,8 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 class Costs {
 public:
-    Costs(const Mesh& mesh, const VertexQuadric& p)
-        : quadrics(vertexQuadricsOf(mesh, p.weight)), mesh_(mesh), measures_(faceMeasuresOf(mesh)), faceOf_(cornerFacesOf(mesh)), at_(p.at)
+    Costs(const Mesh& mesh, const VertexQuadric& p, const Array<FaceMeasure>& measures)
+        : quadrics(vertexQuadricsOf(mesh, measures, p.weight)), mesh_(mesh), measures_(measures), faceOf_(cornerFacesOf(mesh)), at_(p.at)
     {
         table.rows = ElementKind::Vertex;
         table.columns = {{"QEM", "", Array<double>(mesh.vertexCount(), undefined), false},
@@ -21,35 +21,46 @@ public:
     }
     bool measure(uint32_t v);
     void summarise();
+    std::vector<uint32_t> facesOf(uint32_t v) const;
 
     Table table;
     VertexQuadrics quadrics;
-    std::vector<uint32_t> faces;  // of the last vertex
-    glm::dvec3 place{0};
-    double weight = 0;  // of all its planes
+    glm::dvec3 place{0};  // of the last vertex
+    double weight = 0;    // of all its planes
 
 private:
+    glm::dvec3 placeOf(uint32_t v) const;
+
     const Mesh& mesh_;
-    Array<FaceMeasure> measures_;
+    const Array<FaceMeasure>& measures_;
     Array<uint32_t> faceOf_;
     VertexQuadric::At at_;
 };
 
+std::vector<uint32_t> Costs::facesOf(uint32_t v) const
+{
+    std::vector<uint32_t> faces;
+    for (const uint32_t c : mesh_.rings().cornersOf(v)) faces.push_back(faceOf_[c]);
+    return faces;
+}
+
+glm::dvec3 Costs::placeOf(uint32_t v) const
+{
+    if (at_ == VertexQuadric::At::Plane) {
+        AveragePlane plane;
+        for (const uint32_t c : mesh_.rings().cornersOf(v)) plane.add(measures_[faceOf_[c]]);
+        return plane.point();
+    }
+    const auto ring = mesh_.rings().neighboursOf(v);
+    glm::dvec3 sum(0);
+    for (const uint32_t w : ring) sum += glm::dvec3(mesh_.positions()[w]);
+    return sum / double(ring.size());
+}
+
 bool Costs::measure(uint32_t v)
 {
     if (quadrics.planes[v] == 0) return false;
-    AveragePlane plane;
-    faces.clear();
-    for (const uint32_t c : mesh_.rings().cornersOf(v)) {
-        faces.push_back(faceOf_[c]);
-        plane.add(measures_[faces.back()]);
-    }
-    place = plane.point();
-    if (at_ == VertexQuadric::At::Ring) {
-        const auto ring = mesh_.rings().neighboursOf(v);
-        place = glm::dvec3(0);
-        for (const uint32_t w : ring) place += glm::dvec3(mesh_.positions()[w]) / double(ring.size());
-    }
+    place = placeOf(v);
     const Quadric& q = quadrics.quadric[v];
     weight = q.xx + q.yy + q.zz;  // the normals are unit
     const double cost = std::max(0.0, q.at(quadrics.local(place)));
@@ -77,16 +88,19 @@ Generator vertexQuadric(Mesh input, VertexQuadric parameters, Stage<Table>& stag
     co_yield Step("gather").number("vertices", double(input.vertexCount())).progress(0);
     input.rings();  // kept with the mesh
     if (!stage.watched()) co_yield Step("gather").progress(0);
-    Costs costs(input, parameters);
+    const Array<FaceMeasure> measures = faceMeasuresOf(input);
+    if (!stage.watched()) co_yield Step("gather").progress(0);
+    Costs costs(input, parameters, measures);
     const double all = double(input.vertexCount());
     stage.show([&costs] { return costs.table; });
     for (uint32_t v = 0; v < input.vertexCount(); ++v) {
         if (!stage.watched() && (v & 8191) == 0) co_yield Step("measure").progress(v / all);
         if (!costs.measure(v) || !stage.watched()) continue;
         const Quadric& q = costs.quadrics.quadric[v];
+        const std::vector<uint32_t> faces = costs.facesOf(v);
         co_yield Step("measure")
             .vertex(v, Role::Current, "v")
-            .ring(ElementKind::Face, Role::Neighbour, costs.faces)
+            .ring(ElementKind::Face, Role::Neighbour, faces)
             .point(glm::vec3(costs.place), Role::New, "p")
             .number("planes", double(costs.quadrics.planes[v]))
             .number("k11", q.xx)

@@ -2,9 +2,8 @@
 
 namespace mw {
 
-VertexQuadrics vertexQuadricsOf(const Mesh& mesh, PlaneWeight weight)
+VertexQuadrics vertexQuadricsOf(const Mesh& mesh, const Array<FaceMeasure>& measures, PlaneWeight weight)
 {
-    const Array<FaceMeasure> measures = faceMeasuresOf(mesh);
     VertexQuadrics out{mesh.bounds().centre(), Array<Quadric>(mesh.vertexCount(), Quadric()), Array<uint32_t>(mesh.vertexCount(), 0u)};
     for (size_t f = 0; f < measures.size(); ++f) {
         const FaceMeasure& m = measures[f];

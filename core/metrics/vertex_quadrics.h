@@ -14,6 +14,7 @@ struct VertexQuadrics {
     Array<uint32_t> planes;  ///< of each vertex: faces with an area
     glm::dvec3 local(const glm::dvec3& place) const { return place - centre; }
 };
-VertexQuadrics vertexQuadricsOf(const Mesh& mesh, PlaneWeight weight);
+/// `measures`: faceMeasuresOf(mesh).
+VertexQuadrics vertexQuadricsOf(const Mesh& mesh, const Array<FaceMeasure>& measures, PlaneWeight weight);
 
 }  // namespace mw

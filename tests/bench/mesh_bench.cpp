@@ -12,6 +12,10 @@
 #include "core/mesh/topology.h"
 #include "core/mesh/triangle_adjacency.h"
 #include "core/mesh/weighted_normals.h"
+#include "core/metrics/edge_dihedral.h"
+#include "core/metrics/valence.h"
+#include "core/metrics/vertex_planarity.h"
+#include "core/metrics/vertex_quadric.h"
 #include "core/repair/weld.h"
 
 #include "bench/bench_meshes.h"
@@ -66,6 +70,89 @@ Array<glm::vec3> bareNormals(const Mesh& mesh)
     for (glm::vec3& n : out) {
         const float s = n.x * n.x + n.y * n.y + n.z * n.z;
         n = s > 0 ? n * (1 / std::sqrt(s)) : n;
+    }
+    return out;
+}
+
+/// How far each vertex is off the mean plane of its faces, as a share of its longest side; with no thought of borders or polygons.
+Array<double> barePlanarity(const Mesh& mesh)
+{
+    struct Sum {
+        glm::dvec3 normal{0}, point{0};
+        double area = 0, longest = 0;
+    };
+    const glm::vec3* p = mesh.positions().data();
+    const uint32_t* v = mesh.cornerVertex().data();
+    Array<Sum> sums(mesh.vertexCount(), Sum());
+    for (size_t c = 0; c < mesh.cornerCount(); c += 3) {
+        const glm::dvec3 corner[3] = {p[v[c]], p[v[c + 1]], p[v[c + 2]]};
+        const glm::dvec3 twice = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+        const double area = glm::length(twice) / 2;
+        const glm::dvec3 centroid = (corner[0] + corner[1] + corner[2]) / 3.0;
+        for (size_t k = 0; k < 3; ++k) {
+            Sum& s = sums[v[c + k]];
+            const glm::dvec3 a = corner[(k + 1) % 3] - corner[k], b = corner[(k + 2) % 3] - corner[k];
+            s.normal += twice;
+            s.point += area * centroid;
+            s.area += area;
+            s.longest = std::max({s.longest, glm::dot(a, a), glm::dot(b, b)});
+        }
+    }
+    Array<double> out(mesh.vertexCount());
+    for (size_t i = 0; i < out.size(); ++i) {
+        const Sum& s = sums[i];
+        out[i] = std::abs(glm::dot(s.normal, glm::dvec3(p[i]) - s.point / s.area)) / (glm::length(s.normal) * std::sqrt(s.longest));
+    }
+    return out;
+}
+
+/// Sums of squared distances to the planes of the faces, at the mean of the neighbours (each counted by its faces).
+Array<double> bareQuadrics(const Mesh& mesh)
+{
+    struct Sum {
+        double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, bx = 0, by = 0, bz = 0, c = 0, faces = 0;
+        glm::dvec3 ring{0};
+    };
+    const glm::vec3* p = mesh.positions().data();
+    const uint32_t* v = mesh.cornerVertex().data();
+    Array<Sum> sums(mesh.vertexCount(), Sum());
+    for (size_t f = 0; f < mesh.cornerCount(); f += 3) {
+        const glm::dvec3 corner[3] = {p[v[f]], p[v[f + 1]], p[v[f + 2]]};
+        const glm::dvec3 n = glm::normalize(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
+        const double d = -glm::dot(n, corner[0]);
+        for (size_t k = 0; k < 3; ++k) {
+            Sum& s = sums[v[f + k]];
+            s.xx += n.x * n.x, s.xy += n.x * n.y, s.xz += n.x * n.z, s.yy += n.y * n.y, s.yz += n.y * n.z, s.zz += n.z * n.z;
+            s.bx += d * n.x, s.by += d * n.y, s.bz += d * n.z, s.c += d * d;
+            s.ring += corner[(k + 1) % 3] + corner[(k + 2) % 3];
+            s.faces += 1;
+        }
+    }
+    Array<double> out(mesh.vertexCount());
+    for (size_t i = 0; i < out.size(); ++i) {
+        const Sum& s = sums[i];
+        const glm::dvec3 q = s.ring / (2 * s.faces);
+        out[i] = s.xx * q.x * q.x + s.yy * q.y * q.y + s.zz * q.z * q.z + s.c +
+                 2 * (s.xy * q.x * q.y + s.xz * q.x * q.z + s.yz * q.y * q.z + s.bx * q.x + s.by * q.y + s.bz * q.z);
+    }
+    return out;
+}
+
+/// The angle between the faces of each side and its length, the other side by a counting sort.
+Array<double> bareDihedrals(const Mesh& mesh)
+{
+    const Array<uint32_t> opposite = bareOpposites(mesh);
+    const glm::vec3* p = mesh.positions().data();
+    const uint32_t* v = mesh.cornerVertex().data();
+    Array<glm::dvec3> normals(mesh.faceCount());
+    for (size_t f = 0; f < normals.size(); ++f)
+        normals[f] =
+            glm::normalize(glm::cross(glm::dvec3(p[v[3 * f + 1]]) - glm::dvec3(p[v[3 * f]]), glm::dvec3(p[v[3 * f + 2]]) - glm::dvec3(p[v[3 * f]])));
+    Array<double> out(2 * mesh.cornerCount());
+    for (size_t c = 0; c < opposite.size(); ++c) {
+        if (opposite[c] == none || opposite[c] < c) continue;
+        out[2 * c] = std::acos(std::clamp(glm::dot(normals[c / 3], normals[opposite[c] / 3]), -1.0, 1.0));
+        out[2 * c + 1] = glm::distance(glm::dvec3(p[v[c]]), glm::dvec3(p[v[c % 3 == 2 ? c - 2 : c + 1]]));
     }
     return out;
 }
@@ -198,6 +285,39 @@ void weldToCountingSort(benchmark::State& state)
         state, mesh, [&] { benchmark::DoNotOptimize(ran<decltype(&weld), Mesh>(weld, mesh, parameters)); }, bareOpposites);
 }
 
+/// Queries; what the mesh keeps for all of them (rings, edges) is there.
+template <class Op, class P, class Reference>
+void queryToBareLoop(benchmark::State& state, Op op, P parameters, const Reference& reference)
+{
+    const Mesh& mesh = chosen(state);
+    if (mesh.faceCount() > 0) {
+        mesh.rings();
+        mesh.edges();
+    }
+    compare(
+        state, mesh, [&] { benchmark::DoNotOptimize(ran<Op, Table>(op, mesh, parameters)); }, reference);
+}
+
+void planarityToBareLoop(benchmark::State& state)
+{
+    queryToBareLoop(state, &vertexPlanarity, VertexPlanarity(), barePlanarity);
+}
+
+void vertexQuadricToBareLoop(benchmark::State& state)
+{
+    queryToBareLoop(state, &vertexQuadric, VertexQuadric(), bareQuadrics);
+}
+
+void dihedralToBareLoop(benchmark::State& state)
+{
+    queryToBareLoop(state, &edgeDihedral, EdgeDihedral(), bareDihedrals);
+}
+
+void valenceToCountingSort(benchmark::State& state)
+{
+    queryToBareLoop(state, &vertexValence, VertexValence(), bareOpposites);
+}
+
 void contentHashOfMesh(benchmark::State& state)
 {
     const Mesh& mesh = chosen(state);
@@ -215,6 +335,10 @@ BENCHMARK(ringsToCountingSort)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmar
 BENCHMARK(topologyToCountingSort)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(stripsToCountingSort)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(weldToCountingSort)->ArgNames({"dragon", "near"})->ArgsProduct({{0, 1}, {0, 1}})->Unit(benchmark::kMillisecond);
+BENCHMARK(planarityToBareLoop)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(vertexQuadricToBareLoop)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(dihedralToBareLoop)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(valenceToCountingSort)->ArgName("dragon")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(contentHashOfMesh)->ArgName("dragon")->Arg(0)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -349,5 +349,41 @@ TEST(SurfaceDistance, PointsAreSpreadByArea)
     EXPECT_THROW(distance(Mesh(), two), Error);
 }
 
+// Soups of triangles and polygons, with third faces, degenerate ones and neighbours that run the same way: the border by its definition.
+TEST(Border, IsTheEdgesOfOneFace)
+{
+    using Place = BorderNeighbours::Place;
+    Random random(7);
+    const auto below = [&](uint32_t n) { return uint32_t(random.next() % n); };
+    for (int soup = 0; soup < 3000; ++soup) {
+        const uint32_t vertices = 3 + below(8), faces = below(14);
+        Array<uint32_t> start{0u}, corners;
+        for (uint32_t f = 0; f < faces; ++f) {
+            for (uint32_t c = below(6) == 0 ? below(6) : 3; c > 0; --c) corners.push_back(below(vertices));
+            start.push_back(uint32_t(corners.size()));
+        }
+        const Mesh mesh(Array<glm::vec3>(vertices, glm::vec3(0)), start, corners);
+        std::map<std::pair<uint32_t, uint32_t>, int> sides;
+        const std::vector<uint8_t> degenerate = degenerateFacesOf(mesh);
+        for (size_t f = 0; f < faces; ++f) {
+            const auto face = mesh.face(f);
+            for (size_t k = 0; k < face.size(); ++k)
+                if (degenerate.empty() || !degenerate[f]) ++sides[std::minmax({face[k], face[(k + 1) % face.size()]})];
+        }
+        std::vector<std::vector<uint32_t>> along(vertices);
+        for (const auto& [edge, count] : sides) {
+            if (count != 1) continue;
+            along[edge.first].push_back(edge.second);
+            along[edge.second].push_back(edge.first);
+        }
+        const BorderNeighbours border = borderNeighboursOf(mesh);
+        for (uint32_t v = 0; v < vertices; ++v) {
+            const size_t n = along[v].size();
+            ASSERT_EQ(border.place[v], n == 0 ? Place::Inside : n > 2 ? Place::Branch : Place::Border) << "soup " << soup;
+            for (size_t k = 0; k < 2; ++k) ASSERT_EQ(border.neighbour[2 * v + k], k < n ? along[v][k] : none) << "soup " << soup;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace mw

@@ -95,7 +95,6 @@ void ModifierRow::makeHeader(const Modifier& m)
     name_->setFocusPolicy(Qt::NoFocus);
     name_->setToolTip(op_ ? QString::fromStdString(op_->summary) : "This version does not know the operation; it is kept and left out.");
     name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    name_->setMinimumHeight(fontMetrics().height() + 8);
     connect(name_, &QPushButton::clicked, this, &ModifierRow::opened);
     counts_ = new QLabel(this);
     counts_->setProperty("secondary", true);

@@ -15,39 +15,42 @@
 namespace mw {
 namespace {
 
-constexpr size_t width = 8, panel = 16;
+constexpr size_t width = 8, tileColumns = 6, panel = 8;
 using Lane = double __attribute__((vector_size(64), aligned(8), may_alias));
 
-/// C[i, j] and what belongs to it, for eight rows and four columns or as many of them as there are.
+/// C[i, j] and what belongs to it, for eight rows and six columns or as many of them as there are.
 struct Tile {
     double* c;
     size_t cStride;
     const double *a, *b;
     size_t stride, depth, high, wide;
+    bool set;  ///< C is not read
 };
 
-// Eight rows of A and four of B are read always.
+// Eight rows of A and six of B are read always: six sums in flight, which fill the sixteen registers of half their width.
 [[gnu::always_inline]] inline void subtract(const Tile& t)
 {
-    Lane s0{}, s1{}, s2{}, s3{};
+    Lane sums[tileColumns] = {};
     const double *a = t.a, *b = t.b;
     for (size_t p = 0; p < t.depth; ++p, a += t.stride, b += t.stride) {
         const Lane v = *reinterpret_cast<const Lane*>(a);
-        s0 += v * b[0];
-        s1 += v * b[1];
-        s2 += v * b[2];
-        s3 += v * b[3];
+#pragma GCC unroll 6
+        for (size_t j = 0; j < tileColumns; ++j) sums[j] += v * b[j];
     }
-    if (t.high >= width && t.wide >= 4) {
-        *reinterpret_cast<Lane*>(t.c) -= s0;
-        *reinterpret_cast<Lane*>(t.c + t.cStride) -= s1;
-        *reinterpret_cast<Lane*>(t.c + 2 * t.cStride) -= s2;
-        *reinterpret_cast<Lane*>(t.c + 3 * t.cStride) -= s3;
+    if (t.high >= width && t.wide >= tileColumns) {
+#pragma GCC unroll 6
+        for (size_t j = 0; j < tileColumns; ++j) {
+            Lane& c = *reinterpret_cast<Lane*>(t.c + j * t.cStride);
+            c = t.set ? -sums[j] : c - sums[j];
+        }
         return;
     }
-    const Lane sums[4] = {s0, s1, s2, s3};
-    for (size_t j = 0; j < std::min<size_t>(t.wide, 4); ++j)
-        for (size_t i = 0; i < std::min(t.high, width); ++i) t.c[j * t.cStride + i] -= sums[j][i];
+    const Lane rest[tileColumns] = {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5]};  // so that the sums stay in registers
+    for (size_t j = 0; j < std::min(t.wide, tileColumns); ++j)
+        for (size_t i = 0; i < std::min(t.high, width); ++i) {
+            double& c = t.c[j * t.cStride + i];
+            c = t.set ? -rest[j][i] : c - rest[j][i];
+        }
 }
 
 /// Columns first..last by each other, over all rows below the diagonal.
@@ -96,11 +99,11 @@ MW_FOR_EACH_MACHINE bool factorPanel(double* l, double* u, size_t rows, size_t f
 }  // namespace
 
 MW_FOR_EACH_MACHINE void subtractProduct(double* c, size_t cStride, size_t rows, size_t columns, const double* a, const double* b, size_t stride,
-                                         size_t depth, bool lower)
+                                         size_t depth, bool lower, bool set)
 {
-    for (size_t j = 0; j < columns; j += 4)
+    for (size_t j = 0; j < columns; j += tileColumns)
         for (size_t i = lower ? j : 0; i < rows; i += width)
-            subtract({c + j * cStride + i, cStride, a + i, b + j, stride, depth, rows - i, columns - j});
+            subtract({c + j * cStride + i, cStride, a + i, b + j, stride, depth, rows - i, columns - j, set});
 }
 
 bool factorColumns(double* l, size_t rows, size_t own, size_t& failed)

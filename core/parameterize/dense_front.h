@@ -15,9 +15,9 @@ bool factorColumns(double* columns, size_t rows, size_t own, size_t& failed);
 bool factorColumns(double* lower, double* upper, size_t rows, size_t own, size_t& failed);
 
 /// C[i, j] -= sum over p < depth of A[i, p] B[j, p] for a C of `rows` x `columns`, `cStride` entries a column; A and B have `stride`.
-/// `lower`: only i >= j is of use. Parts of C may be done in any order or at once, the result is the same.
+/// `lower`: only i >= j is of use. `set`: from C = 0, whatever it holds. Parts of C may be done in any order or at once, the result is the same.
 void subtractProduct(double* c, size_t cStride, size_t rows, size_t columns, const double* a, const double* b, size_t stride, size_t depth,
-                     bool lower);
+                     bool lower, bool set = false);
 
 /// Substitution in a front for two right sides: x and y have `rows` entries, the first `own` are solved, forward() takes their part from the others.
 void forwardFront(const double* lower, size_t rows, size_t own, bool unit, double* x, double* y);

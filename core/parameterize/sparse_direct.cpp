@@ -5,10 +5,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <tbb/parallel_for.h>
 
 #include "core/error.h"
+#include "core/mesh/large_pages.h"
 #include "core/parameterize/dense_front.h"
 
 namespace mw {
@@ -22,6 +24,7 @@ constexpr double worthThreads = 2e7;  // operations
 struct Node {
     uint32_t begin = 0, end = 0, parent = nobody;
     size_t border = 0, borderEnd = 0;  ///< in Parts::border
+    size_t ofParent = 0;               ///< how many of the border are the parent's own: the first ones
     size_t columns = 0;                ///< of L (and U), in Parts::lower
     double operations = 0, subtree = 0;
     uint32_t firstOfSubtree = 0;  ///< nodes firstOfSubtree..this one are the subtree
@@ -32,48 +35,98 @@ struct Node {
     size_t rows() const { return own() + rest(); }
 };
 
-/// Direction of the greatest spread of a sample of places, by power iteration.
-glm::vec3 mainDirection(std::span<const uint32_t> set, std::span<const glm::vec3> places)
+/// An unknown while sets of them are cut: they are moved along, so that every pass reads memory in order.
+struct Placed {
+    glm::vec3 at;
+    float reach;  ///< distance of the farthest unknown it is joined to
+    uint32_t unknown;
+};
+
+/// Where a cut is short: of a few directions the one across which the fewest of a sample lie near the middle. The greatest spread (by power
+/// iteration) is among them and is taken at once for small sets; about round ones it says nothing.
+glm::vec3 directionAcross(std::span<const Placed> set)
 {
-    const size_t stride = 1 + set.size() / 256;
-    glm::dvec3 mean(0);
-    double n = 0;
-    for (size_t i = 0; i < set.size(); i += stride, ++n) mean += glm::dvec3(places[set[i]]);
+    const size_t stride = 1 + set.size() / 64;
+    glm::vec3 mean(0), squares(0), products(0);  // xx, yy, zz; xy, xz, yz
+    float n = 0;
+    for (size_t i = 0; i < set.size(); i += stride, ++n) mean += set[i].at;
     mean /= n;
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
     for (size_t i = 0; i < set.size(); i += stride) {
-        const glm::dvec3 d = glm::dvec3(places[set[i]]) - mean;
-        xx += d.x * d.x;
-        xy += d.x * d.y;
-        xz += d.x * d.z;
-        yy += d.y * d.y;
-        yz += d.y * d.z;
-        zz += d.z * d.z;
+        const glm::vec3 d = set[i].at - mean;
+        squares += d * d;
+        products += glm::vec3(d.x * d.y, d.x * d.z, d.y * d.z);
     }
-    glm::dvec3 axis(1, 0.9, 0.8);
-    for (int i = 0; i < 16; ++i) {
-        axis = {xx * axis.x + xy * axis.y + xz * axis.z, xy * axis.x + yy * axis.y + yz * axis.z, xz * axis.x + yz * axis.y + zz * axis.z};
-        const double length = glm::length(axis);
-        if (!(length > 0)) return {1, 0, 0};
-        axis /= length;
+    glm::vec3 axis(1, 0.9f, 0.8f);
+    float spread = 0;
+    for (int i = 0; i < 8; ++i) {
+        axis = squares * axis + glm::vec3(products.x * axis.y + products.y * axis.z, products.x * axis.x + products.z * axis.z,
+                                          products.y * axis.x + products.z * axis.y);
+        spread = glm::length(axis);
+        if (!(spread > 0)) return {1, 0, 0};
+        axis /= spread;
     }
-    return glm::vec3(axis);
+    if (set.size() < 1024) return axis;
+    constexpr float h = 0.70710678f;
+    const glm::vec3 directions[] = {axis, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {h, h, 0}, {h, -h, 0}, {h, 0, h}, {h, 0, -h}, {0, h, h}, {0, h, -h}};
+    const float width = 0.3f * std::sqrt(spread / n);
+    size_t fewest = set.size();
+    const size_t fine = 1 + set.size() / 512;
+    for (const glm::vec3& d : directions) {
+        size_t count = 0;
+        const float middle = glm::dot(mean, d);
+        for (size_t i = 0; i < set.size(); i += fine) count += std::abs(glm::dot(set[i].at, d) - middle) < width;
+        if (count >= fewest) continue;
+        fewest = count;
+        axis = d;
+    }
+    return axis;
+}
+
+/// All in a box of -1 to 1, its middle for those that are no numbers.
+Array<Placed> placedUnknowns(const SparsePattern& pattern, std::span<const glm::vec3> places)
+{
+    const auto isPlace = [](const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
+    glm::dvec3 least(std::numeric_limits<double>::max()), most(-least);
+    for (const glm::vec3& p : places) {
+        if (!isPlace(p)) continue;
+        least = glm::min(least, glm::dvec3(p));
+        most = glm::max(most, glm::dvec3(p));
+    }
+    const glm::dvec3 centre = 0.5 * (least + most), size = most - least;
+    const double scale = 2 / std::max({size.x, size.y, size.z, 1e-300});
+    Array<Placed> out(places.size());
+    for (uint32_t i = 0; i < out.size(); ++i) {
+        const glm::dvec3 at = isPlace(places[i]) ? (glm::dvec3(places[i]) - centre) * scale : glm::dvec3(0);
+        out[i] = {glm::vec3(at), 0, i};
+    }
+    for (uint32_t i = 0; i < out.size(); ++i) {
+        float farthest = 0;
+        for (uint32_t k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
+            const glm::vec3 d = out[pattern.column[k]].at - out[i].at;
+            farthest = std::max(farthest, glm::dot(d, d));
+        }
+        out[i].reach = std::sqrt(farthest);
+    }
+    return out;
 }
 
 }  // namespace
 
 struct SparseDirect::Parts {
     SparsePattern pattern;
-    Array<glm::vec3> places;
     Array<uint32_t> order, number;  // number to unknown, unknown to number
 
-    // Ordering: sets still to be cut, and where each unknown stands in the set at hand.
+    // Ordering: sets still to be cut, and the parts of the set at hand.
     struct Set {
         uint32_t begin, end, parent;
     };
+    enum Part : uint8_t { First, Second, Separator };
     std::vector<Set> sets;
-    Array<uint32_t> side;
-    Array<std::pair<float, uint32_t>> keys;
+    Array<Placed> placed, moved;
+    Array<float> key;        // of the members of the set: how far along the main direction
+    Array<Part> part;        // of the members
+    Array<uint32_t> near;    // members that may touch the other half
+    Array<uint32_t> halfOf;  // of unknowns: 2 * node + half, where it is the node's set that they were near the cut of last
     size_t ordered = 0;
     std::vector<Node> nodes;  // created from the top down, then sorted: children before parents
 
@@ -95,13 +148,17 @@ struct SparseDirect::Parts {
     double operationsDone = 0;
 
     void cut(const Set& set);
+    void halve(std::span<const Placed> set);
+    void halveExactly(std::span<const Placed> set);
+    void separate(std::span<const Placed> set, uint32_t node);
     void finishOrder();
     void analyse(uint32_t t);
     void place(uint32_t t);
     void choosePackets();
     void factor(uint32_t t, bool threads);
     void scatter(const Node& node);
-    void addUpdate(const Node& node, uint32_t child, double* rest);
+    void addToOwn(const Node& node, uint32_t child);
+    void addToRest(const Node& node, uint32_t child, double* rest);
     void eliminate(const Node& node, double* rest, bool threads);
 };
 
@@ -110,19 +167,19 @@ SparseDirect::SparseDirect(SparsePattern pattern, std::span<const glm::vec3> pla
     Parts& p = *p_;
     p.pattern = std::move(pattern);
     const uint32_t n = uint32_t(p.pattern.size());
-    p.places.assign(places.begin(), places.end());
-    p.order.resize(n);
-    for (uint32_t i = 0; i < n; ++i) p.order[i] = i;
-    p.number = Array<uint32_t>(n, 0u);
-    p.side = Array<uint32_t>(n, nobody);
-    p.keys.resize(n);
+    p.placed = placedUnknowns(p.pattern, places);
+    p.moved.resize(n);
+    p.key.resize(n);
+    p.part.resize(n);
+    p.near.resize(n);
+    p.halfOf = Array<uint32_t>(n, nobody);
     p.sets.push_back({0, n, nobody});
 }
 SparseDirect::~SparseDirect() = default;
 SparseDirect::SparseDirect(SparseDirect&&) noexcept = default;
 SparseDirect& SparseDirect::operator=(SparseDirect&&) noexcept = default;
 
-/// Two halves at the median along the main direction; those of one half that touch the other are the separator, numbered last.
+/// Two halves across the main direction, about equal; those of one half that touch the other are the separator, numbered last.
 void SparseDirect::Parts::cut(const Set& set)
 {
     const uint32_t node = uint32_t(nodes.size()), size = set.end - set.begin;
@@ -134,37 +191,79 @@ void SparseDirect::Parts::cut(const Set& set)
         ordered += size;
         return;
     }
-    const std::span<uint32_t> members(order.data() + set.begin, size);
-    const glm::vec3 axis = mainDirection(members, places);
-    for (uint32_t i = 0; i < size; ++i) keys[i] = {glm::dot(places[members[i]], axis), members[i]};
-    const uint32_t half = size / 2;
-    std::nth_element(keys.begin(), keys.begin() + half, keys.begin() + size);
-    for (uint32_t i = 0; i < size; ++i) side[keys[i].second] = 2 * node + (i < half ? 0 : 1);
-    // 0 inside, 1 at the cut; of both halves.
-    uint32_t touching[2] = {0, 0};
-    for (uint32_t i = 0; i < size; ++i) {
-        const uint32_t v = keys[i].second, other = side[v] ^ 1;
-        bool at = false;
-        for (uint32_t k = pattern.start[v]; k < pattern.start[v + 1] && !at; ++k) at = side[pattern.column[k]] == other;
-        keys[i].first = at ? 1.f : 0.f;
-        touching[i < half ? 0 : 1] += at;
-    }
-    const bool second = touching[1] < touching[0];
-    const auto isSeparator = [&](uint32_t i) { return keys[i].first > 0 && (i < half) != second; };
-    uint32_t next = 0;
-    for (uint32_t i = 0; i < half; ++i)
-        if (!isSeparator(i)) members[next++] = keys[i].second;
-    const uint32_t first = next;
-    for (uint32_t i = half; i < size; ++i)
-        if (!isSeparator(i)) members[next++] = keys[i].second;
-    const uint32_t both = next;
-    for (uint32_t i = 0; i < size; ++i)
-        if (isSeparator(i)) members[next++] = keys[i].second;
+    Placed* members = placed.data() + set.begin;
+    halve({members, size});
+    separate({members, size}, node);
+    uint32_t count[3] = {0, 0, 0};
+    for (uint32_t i = 0; i < size; ++i) ++count[part[i]];
+    const uint32_t first = count[First], both = first + count[Second];
+    uint32_t next[3] = {0, first, both};
+    for (uint32_t i = 0; i < size; ++i) moved[next[part[i]]++] = members[i];
+    std::copy_n(moved.data(), size, members);
     nodes.back().begin = set.begin + both;
     ordered += size - both;
-    for (uint32_t i = both; i < size; ++i) side[members[i]] = nobody;
     if (both > first) sets.push_back({set.begin + first, set.begin + both, node});
     if (first > 0) sets.push_back({set.begin, set.begin + first, node});
+}
+
+/// Counted into slices along the main direction, and cut between the two in the middle. `near` are those that reach across.
+void SparseDirect::Parts::halve(std::span<const Placed> set)
+{
+    const uint32_t size = uint32_t(set.size());
+    const glm::vec3 axis = directionAcross(set);
+    float least = std::numeric_limits<float>::max(), most = -least;
+    for (uint32_t i = 0; i < size; ++i) {
+        key[i] = glm::dot(set[i].at, axis);
+        least = std::min(least, key[i]);
+        most = std::max(most, key[i]);
+    }
+    constexpr uint32_t mostSlices = 256;
+    const uint32_t slices = std::min(size, mostSlices);
+    const float scale = float(slices - 1) / (most - least);
+    if (!std::isfinite(scale)) return halveExactly(set);
+    uint32_t count[mostSlices] = {};
+    for (uint32_t i = 0; i < size; ++i) ++count[uint32_t((key[i] - least) * scale)];
+    uint32_t middle = 0, below = 0;
+    while (below + count[middle] / 2 < size / 2) below += count[middle++];
+    if (below < size / 3 || size - below < size / 3) return halveExactly(set);
+    const float at = float(middle) / scale, rounding = 1e-5f;
+    near.resize(size);
+    uint32_t found = 0;
+    for (uint32_t i = 0; i < size; ++i) {
+        part[i] = uint32_t((key[i] - least) * scale) < middle ? First : Second;
+        near[found] = i;
+        found += std::abs(key[i] - least - at) <= set[i].reach + rounding;
+    }
+    near.resize(found);
+}
+
+/// For places that slices do not tell apart: at the median, whatever lies there.
+void SparseDirect::Parts::halveExactly(std::span<const Placed> set)
+{
+    near.resize(set.size());
+    std::iota(near.begin(), near.end(), 0u);
+    const auto middle = near.begin() + ptrdiff_t(set.size() / 2);
+    std::nth_element(near.begin(), middle, near.end(), [&](uint32_t a, uint32_t b) { return key[a] != key[b] ? key[a] < key[b] : a < b; });
+    for (auto i = near.begin(); i != near.end(); ++i) part[*i] = i < middle ? First : Second;
+}
+
+/// Of both halves' borders the shorter one.
+void SparseDirect::Parts::separate(std::span<const Placed> set, uint32_t node)
+{
+    for (const uint32_t i : near) halfOf[set[i].unknown] = 2 * node + part[i];
+    uint32_t touching[2] = {0, 0}, kept = 0;
+    for (const uint32_t i : near) {
+        const uint32_t v = set[i].unknown, other = halfOf[v] ^ 1;
+        bool at = false;
+        for (uint32_t k = pattern.start[v]; k < pattern.start[v + 1] && !at; ++k) at = halfOf[pattern.column[k]] == other;
+        touching[part[i]] += at;
+        near[kept] = i;
+        kept += at;
+    }
+    near.resize(kept);
+    const Part shorter = touching[Second] < touching[First] ? Second : First;
+    for (const uint32_t i : near)
+        if (part[i] == shorter) part[i] = Separator;
 }
 
 /// Children before parents; the sets of a subtree lie side by side, so sorting by place is enough.
@@ -190,9 +289,14 @@ void SparseDirect::Parts::finishOrder()
         uint32_t* children = nodes[nodes[t].parent].children;
         children[children[0] == nobody ? 0 : 1] = t;
     }
-    for (uint32_t i = 0; i < order.size(); ++i) number[order[i]] = i;
-    side = {};
-    keys = {};
+    const uint32_t n = uint32_t(pattern.size());
+    order.resize(n);
+    number.resize(n);
+    for (uint32_t i = 0; i < n; ++i) number[order[i] = placed[i].unknown] = i;
+    placed = moved = {};
+    key = {};
+    part = {};
+    near = halfOf = {};
     stamp = Array<uint32_t>(order.size(), nobody);
     row.resize(order.size());
     entryRow = Array<uint32_t>(pattern.column.size(), nobody);
@@ -256,9 +360,13 @@ void SparseDirect::Parts::place(uint32_t t)
             const uint32_t i = number[pattern.column[k]];
             if (i > j) entryRow[k] = row[i];
         }
-    for (const uint32_t c : node.children)
-        if (c != nobody)
-            for (size_t k = nodes[c].border; k < nodes[c].borderEnd; ++k) parentRow[k] = row[border[k]];
+    for (const uint32_t c : node.children) {
+        if (c == nobody) continue;
+        for (size_t k = nodes[c].border; k < nodes[c].borderEnd; ++k) {
+            parentRow[k] = row[border[k]];
+            nodes[c].ofParent += border[k] < node.end;
+        }
+    }
 }
 
 bool SparseDirect::analyse(double work)
@@ -268,7 +376,6 @@ bool SparseDirect::analyse(double work)
         p.analyse(uint32_t(p.analysed));
         work -= double(p.nodes[p.analysed].rows()) + 8.0 * double(p.nodes[p.analysed].own());
     }
-    if (!p.sets.empty()) return double(p.ordered) / double(std::max<size_t>(p.order.size(), 1));
     if (p.analysed < p.nodes.size()) return true;
     p.stamp = {};
     p.row = {};
@@ -296,8 +403,8 @@ void SparseDirect::begin(SparseValues values, size_t mostBytes)
         throw Error("the factors of " + std::to_string(p.order.size()) + " unknowns would need " + std::to_string(bytes >> 20) +
                     " MB of memory; simplify the mesh, or choose an iterative solver");
     p.values = std::move(values);
-    p.lower.resize(p.entries);
-    if (!p.values.symmetric) p.upper.resize(p.entries);
+    if (p.lower.empty()) p.lower = largeArray<double>(p.entries);
+    if (p.upper.empty() && !p.values.symmetric) p.upper = largeArray<double>(p.entries);
     p.updates.clear();
     p.updates.resize(p.nodes.size());
     p.done = p.packetsDone = 0;
@@ -322,21 +429,30 @@ void SparseDirect::Parts::scatter(const Node& node)
     }
 }
 
-/// What a child left goes into own columns and rows, or into the update of this node.
-void SparseDirect::Parts::addUpdate(const Node& node, uint32_t child, double* rest)
+/// What a child left goes into own columns and rows...
+void SparseDirect::Parts::addToOwn(const Node& node, uint32_t child)
 {
     const Node& from = nodes[child];
-    const size_t n = from.rest(), rows = node.rows(), own = node.own(), restRows = node.rest();
+    const size_t n = from.rest(), rows = node.rows(), ownRows = from.ofParent;
     const uint32_t* at = parentRow.data() + from.border;
-    const size_t ownRows = size_t(std::lower_bound(at, at + n, uint32_t(own)) - at);
     double *l = lower.data() + node.columns, *u = values.symmetric ? nullptr : upper.data() + node.columns;
     const double* update = updates[child].data();
-    for (size_t j = 0; j < n; ++j) {
-        const double* column = update + j * n;
-        double* to = j < ownRows ? l + at[j] * rows : rest + (at[j] - own) * restRows - own;
-        for (size_t i = u && j >= ownRows ? ownRows : j; i < n; ++i) to[at[i]] += column[i];
-        if (u)
-            for (size_t i = 0; i < std::min(j, ownRows); ++i) u[at[i] * rows + at[j]] += column[i];
+    for (size_t j = 0; j < ownRows; ++j)
+        for (size_t i = j; i < n; ++i) l[at[j] * rows + at[i]] += update[j * n + i];
+    for (size_t j = 0; u && j < n; ++j)
+        for (size_t i = 0; i < std::min(j, ownRows); ++i) u[at[i] * rows + at[j]] += update[j * n + i];
+}
+
+/// ... and into what this node leaves.
+void SparseDirect::Parts::addToRest(const Node& node, uint32_t child, double* rest)
+{
+    const Node& from = nodes[child];
+    const size_t n = from.rest(), own = node.own(), restRows = node.rest(), ownRows = from.ofParent;
+    const uint32_t* at = parentRow.data() + from.border;
+    const double* update = updates[child].data();
+    for (size_t j = ownRows; j < n; ++j) {
+        double* to = rest + (at[j] - own) * restRows - own;
+        for (size_t i = values.symmetric ? j : ownRows; i < n; ++i) to[at[i]] += update[j * n + i];
     }
     updates[child] = {};
 }
@@ -349,27 +465,29 @@ void SparseDirect::Parts::eliminate(const Node& node, double* rest, bool threads
     if (!(u ? factorColumns(l, u, rows, own, failed) : factorColumns(l, rows, own, failed)))
         throw Error("the linear system has no stable solution: at unknown " + std::to_string(order[node.begin + failed]) +
                     (u ? " the pivot is 0" : " the matrix is not positive definite"));
-    if (own == 0 || n == 0) return;
+    if (n == 0) return;
     const double *a = l + own, *b = (u ? u : l) + own;
-    const auto part = [&](size_t first, size_t last) {
+    const auto update = [&](size_t first, size_t last) {
         const size_t above = u ? 0 : first;
-        subtractProduct(rest + first * n + above, n, n - above, last - first, a + above, b + first, rows, own, !u);
+        subtractProduct(rest + first * n + above, n, n - above, last - first, a + above, b + first, rows, own, !u, true);
     };
-    constexpr size_t block = 64;
+    constexpr size_t block = 96;
     if (threads && double(own) * double(n) * double(n) > worthThreads)
-        tbb::parallel_for(size_t(0), (n + block - 1) / block, [&](size_t k) { part(k * block, std::min(n, (k + 1) * block)); });
+        tbb::parallel_for(size_t(0), (n + block - 1) / block, [&](size_t k) { update(k * block, std::min(n, (k + 1) * block)); });
     else
-        part(0, n);
+        update(0, n);
 }
 
 void SparseDirect::Parts::factor(uint32_t t, bool threads)
 {
     const Node& node = nodes[t];
     scatter(node);
-    updates[t] = Array<double>(node.rest() * node.rest(), 0.0);
     for (const uint32_t c : node.children)
-        if (c != nobody) addUpdate(node, c, updates[t].data());
+        if (c != nobody) addToOwn(node, c);
+    updates[t] = Array<double>(node.rest() * node.rest());
     eliminate(node, updates[t].data(), threads);
+    for (const uint32_t c : node.children)
+        if (c != nobody) addToRest(node, c, updates[t].data());
 }
 
 bool SparseDirect::factor(double work, bool threads)
@@ -469,7 +587,7 @@ size_t SparseDirect::factorEntries() const
 double SparseDirect::progress() const
 {
     const Parts& p = *p_;
-    if (!p.sets.empty()) return double(p.ordered) / double(std::max<size_t>(p.order.size(), 1));
+    if (!p.sets.empty()) return double(p.ordered) / double(std::max<size_t>(p.pattern.size(), 1));
     if (p.analysed < p.nodes.size()) return double(p.analysed) / double(p.nodes.size());
     return p.operations > 0 ? p.operationsDone / p.operations : 1;
 }

@@ -349,6 +349,33 @@ TEST(SparseDirect, EachUnknownIsEliminatedOnce)
     EXPECT_GT(groups, 20u);
 }
 
+/// The order is then a poor one, no wrong one.
+TEST(SparseDirect, PlacesThatSayNothingDo)
+{
+    System s = randomSystem(20, true, 7);
+    const float huge = std::numeric_limits<float>::max(), nothing = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<glm::vec3> given = s.places;
+    for (int way = 0; way < 3; ++way) {
+        for (size_t i = 0; i < given.size(); ++i) {
+            if (way == 0) s.places[i] = {1, 2, 3};
+            if (way == 1) s.places[i] = i % 50 ? given[i] : glm::vec3(i % 100 ? huge : -huge, 0, 0);
+            if (way == 2) s.places[i] = i % 3 ? given[i] : glm::vec3(nothing, 0, HUGE_VALF);
+        }
+        SparseDirect direct(s.pattern, s.places);
+        while (direct.order(100)) {
+        }
+        while (direct.analyse(100)) {
+        }
+        direct.begin(s.values);
+        while (direct.factor(1e9)) {
+        }
+        const std::vector<glm::dvec2> b(given.size(), glm::dvec2(1, -2));
+        std::vector<glm::dvec2> x = b;
+        direct.solve(x);
+        EXPECT_LT(worstResidual(s, x, b), 1e-11) << way;
+    }
+}
+
 /// Threads must not change a bit.
 TEST(SparseDirect, ThreadsGiveTheSameBits)
 {

@@ -113,15 +113,17 @@ private:
 
 }  // namespace
 
-glm::dmat3 aligningRotation(std::span<const glm::dvec3> d0, std::span<const glm::dvec3> p0, std::span<const glm::dvec3> d1,
-                            std::span<const glm::dvec3> p1)
+Generator aligningRotation(std::span<const glm::dvec3> d0, std::span<const glm::dvec3> p0, std::span<const glm::dvec3> d1,
+                           std::span<const glm::dvec3> p1, glm::dmat3& turn)
 {
+    constexpr int tries = 3000, pause = 64;
     const Fit fit(d0, p0, d1, p1);
     Random random(1);
     const auto any = [&] { return 2 * random.uniform() - 1; };
     glm::dquat best(1, 0, 0, 0);
     double least = fit.distance(best, 4) * 0.98;  // the maps as they are unless another is better
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < tries; ++i) {
+        if (i % pause == 0) co_yield Step("align").progress(double(i) / tries);
         glm::dquat q(any(), any(), any(), any());
         const double length = glm::length(q);
         if (length > 1 || length < 0.01) continue;
@@ -129,12 +131,14 @@ glm::dmat3 aligningRotation(std::span<const glm::dvec3> d0, std::span<const glm:
         if (const double e = fit.distance(q, 4); e < least) least = e, best = q;
     }
     least = fit.distance(best);
-    for (double angle = 0.4; angle > 0.005; angle *= 0.7)
+    for (double angle = 0.4; angle > 0.005; angle *= 0.7) {
+        co_yield Step("align").progress(1);
         for (int i = 0; i < 24; ++i) {
             const glm::dquat q = glm::normalize(glm::dquat(1, angle * any(), angle * any(), angle * any()) * best);
             if (const double e = fit.distance(q); e < least) least = e, best = q;
         }
-    return glm::mat3_cast(best);
+    }
+    turn = glm::mat3_cast(best);
 }
 
 }  // namespace mw

@@ -192,7 +192,18 @@ DomainMesh mapOf(const MorphMesh& mesh, int m, const std::vector<BorderPoint>& p
 
 MorphMaps diskMaps(const Mesh& first, const Mesh& second, bool align)
 {
-    MorphMaps out{{MorphMesh::of(first), MorphMesh::of(second)}, {}};
+    MorphMaps out;
+    Generator parts = diskMaps(first, second, align, out);
+    while (parts.next()) {
+    }
+    return out;
+}
+
+Generator diskMaps(Mesh first, Mesh second, bool align, MorphMaps& out)
+{
+    out = MorphMaps();
+    out.meshes[0] = MorphMesh::of(first);
+    out.meshes[1] = MorphMesh::of(second);
     const Outline a(out.meshes[0]), b(out.meshes[1]);
     const double shift = align ? aligningShift(a, b) : 0;
     out.turn = 360 * shift;
@@ -200,13 +211,14 @@ MorphMaps diskMaps(const Mesh& first, const Mesh& second, bool align)
     insertBorder(out.meshes[0], 0, a, 0, points);
     insertBorder(out.meshes[1], 1, b, shift, points);
     for (int m = 0; m < 2; ++m) {
+        co_yield Step("embed").progress(0.5 * m);
         const MorphMesh& mesh = out.meshes[m];
         DomainMesh map = mapOf(mesh, m, points, EdgeWeights::MeanValue);
         // Weights of needle-like triangles span so many orders that their places run together; equal weights do not look at them.
+        co_yield Step("embed").progress(0.5 * m + 0.25);
         if (!map.folds().empty()) map = mapOf(mesh, m, points, EdgeWeights::Uniform);
         out.maps[m] = {std::move(map), mesh.positions, std::vector<double>(mesh.positions.size(), 1)};
     }
-    return out;
 }
 
 }  // namespace mw

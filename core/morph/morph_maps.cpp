@@ -29,8 +29,20 @@ void requireCovering(const OverlayInput& input, const char* which)
 
 MorphMaps projectiveMaps(const Mesh& first, const Mesh& second)
 {
-    MorphMaps out{{MorphMesh::of(first), MorphMesh::of(second)}, {}};
+    MorphMaps out;
+    Generator parts = projectiveMaps(first, second, out);
+    while (parts.next()) {
+    }
+    return out;
+}
+
+Generator projectiveMaps(Mesh first, Mesh second, MorphMaps& out)
+{
+    out = MorphMaps();
+    out.meshes[0] = MorphMesh::of(first);
+    out.meshes[1] = MorphMesh::of(second);
     for (int m = 0; m < 2; ++m) {
+        co_yield Step("project").progress(0.5 * m);
         const char* which = m == 0 ? "first" : "other";
         const MorphMesh& mesh = out.meshes[m];
         const std::optional<glm::dvec3> centre = starCentre(mesh.positions, mesh.corners);
@@ -43,7 +55,6 @@ MorphMaps projectiveMaps(const Mesh& first, const Mesh& second)
         for (size_t v = 0; v < directions.size(); ++v) out.maps[m].mass[v] = 1 / glm::length(directions[v]);
         requireCovering(out.maps[m], which);
     }
-    return out;
 }
 
 }  // namespace mw

@@ -22,13 +22,16 @@ void requireCovering(const OverlayInput& input, const char* which);
 
 /// Central projection of both. Throws Error when no point sees all of a mesh.
 MorphMaps projectiveMaps(const Mesh& first, const Mesh& second);
-/// Spread over the sphere, the second turned so that matching points are near.
-MorphMaps sphericalMaps(const Mesh& first, const Mesh& second, bool align);
+Generator projectiveMaps(Mesh first, Mesh second, MorphMaps& out);
+/// Spread over the sphere, the second turned so that matching points are near. In parts; `out` is set at the end.
+Generator sphericalMaps(Mesh first, Mesh second, bool align, MorphMaps& out);
 /// In the unit disk with one border for both: each border gets the vertices of the other at the same share of its length.
 MorphMaps diskMaps(const Mesh& first, const Mesh& second, bool align);
+Generator diskMaps(Mesh first, Mesh second, bool align, MorphMaps& out);
 
-/// A rotation of unit directions of the second mesh that brings its places (moved to a common middle and size) nearest to those of the first.
-glm::dmat3 aligningRotation(std::span<const glm::dvec3> firstDirections, std::span<const glm::dvec3> firstPlaces,
-                            std::span<const glm::dvec3> secondDirections, std::span<const glm::dvec3> secondPlaces);
+/// A rotation of unit directions of the second mesh that brings its places (moved to a common middle and size) nearest to those of the first. In
+/// parts; `turn` is set at the end.
+Generator aligningRotation(std::span<const glm::dvec3> firstDirections, std::span<const glm::dvec3> firstPlaces,
+                           std::span<const glm::dvec3> secondDirections, std::span<const glm::dvec3> secondPlaces, glm::dmat3& turn);
 
 }  // namespace mw

@@ -130,17 +130,27 @@ Attribute carriedVertexAttribute(const Overlay& overlay, int in, const MorphMesh
     return blended(*mesh.source.find(name, Domain::Vertex), vertexRows(overlay, in, mesh));
 }
 
-Mesh morphed(const Overlay& overlay, const MorphMesh& first, const std::string& name)
+Mesh overlaid(const Overlay& overlay, const MorphMesh& first)
 {
     Array<glm::vec3> places(overlay.vertices());
-    Array<float> displacement(3 * overlay.vertices());
-    for (uint32_t v = 0; v < overlay.vertices(); ++v) {
-        places[v] = glm::vec3(overlay.position(0, v));
-        const glm::dvec3 d = overlay.position(1, v) - glm::dvec3(places[v]);
-        for (int k = 0; k < 3; ++k) displacement[3 * v + uint32_t(k)] = float(d[k]);
-    }
+    for (uint32_t v = 0; v < overlay.vertices(); ++v) places[v] = glm::vec3(overlay.position(0, v));
     Mesh out = Mesh::triangles(std::move(places), Array<uint32_t>(overlay.corners().begin(), overlay.corners().end()));
-    return withTarget(withAttributes(std::move(out), overlay, first), name, std::move(displacement));
+    return withAttributes(std::move(out), overlay, first);
+}
+
+Array<float> displacement(const Overlay& overlay)
+{
+    Array<float> out(3 * overlay.vertices());
+    for (uint32_t v = 0; v < overlay.vertices(); ++v) {
+        const glm::dvec3 d = overlay.position(1, v) - glm::dvec3(glm::vec3(overlay.position(0, v)));
+        for (int k = 0; k < 3; ++k) out[3 * v + uint32_t(k)] = float(d[k]);
+    }
+    return out;
+}
+
+Mesh morphed(const Overlay& overlay, const MorphMesh& first, const std::string& name)
+{
+    return withTarget(overlaid(overlay, first), name, displacement(overlay));
 }
 
 }  // namespace mw

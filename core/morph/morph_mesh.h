@@ -27,7 +27,11 @@ struct MorphMesh {
 
 /// A vertex attribute of either mesh at the vertices of the overlay; precondition: its source has it.
 Attribute carriedVertexAttribute(const Overlay& overlay, int in, const MorphMesh& mesh, std::string_view name);
-/// The overlay as a mesh: places of the first, the target `name` to those of the second; attributes of the first's source.
+/// The overlay as a mesh: places of the first, attributes of its source.
+Mesh overlaid(const Overlay& overlay, const MorphMesh& first);
+/// From there to the places of the second, three numbers a vertex.
+Array<float> displacement(const Overlay& overlay);
+/// Both, the second as the target `name`.
 Mesh morphed(const Overlay& overlay, const MorphMesh& first, const std::string& name);
 
 }  // namespace mw

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/error.h"
 
@@ -208,6 +209,7 @@ void Overlay::addPieces(int of)
         if (i == end || cross_[*i][0] != by) throw Error("the two maps do not agree on where their edges cross; one of them covers the domain twice");
         return firstCrossing() + *i;
     };
+    pieces_.reserve(hops_[0].size() + hops_[1].size());
     for (uint32_t e = 0; e < map.edges(); ++e) {
         const uint32_t h = map.half(e), from = vertexOf(of, map.from(h)), to = vertexOf(of, map.to(h));
         uint32_t at = from;
@@ -260,40 +262,49 @@ void Overlay::sortAtCrossing(std::span<uint32_t> halves) const
     halves[3] = along[1][left ? 1 : 0];
 }
 
-/// The half-edges round every vertex in order; after a half-edge comes the one clockwise of its way back.
-void Overlay::link()
+void Overlay::sortOut()
 {
     const uint32_t halves = uint32_t(2 * pieces_.size());
-    std::vector<uint32_t> start(vertices_ + 1, 0), out(halves);
-    for (uint32_t h = 0; h < halves; ++h) ++start[origin(h) + 1];
-    for (size_t v = 0; v < vertices_; ++v) start[v + 1] += start[v];
-    std::vector<uint32_t> fill(start.begin(), start.end() - 1);
-    for (uint32_t h = 0; h < halves; ++h) out[fill[origin(h)]++] = h;
+    outStart_.assign(vertices_ + 1, 0);
+    out_.resize(halves);
+    for (uint32_t h = 0; h < halves; ++h) ++outStart_[origin(h) + 1];
+    for (size_t v = 0; v < vertices_; ++v) outStart_[v + 1] += outStart_[v];
+    std::vector<uint32_t> fill(outStart_.begin(), outStart_.end() - 1);
+    for (uint32_t h = 0; h < halves; ++h) out_[fill[origin(h)]++] = h;
     nextHalf_.resize(halves);
-    for (uint32_t v = 0; v < vertices_; ++v) {
-        const std::span<uint32_t> around(out.data() + start[v], start[v + 1] - start[v]);
+    filled_.assign(halves, false);
+}
+
+/// The half-edges round every vertex in order; after a half-edge comes the one clockwise of its way back.
+bool Overlay::link(size_t most)
+{
+    const uint32_t end = uint32_t(std::min(vertices_, linked_ + most));
+    for (; linked_ < end; ++linked_) {
+        const std::span<uint32_t> around(out_.data() + outStart_[linked_], outStart_[linked_ + 1] - outStart_[linked_]);
         if (around.empty()) continue;
-        if (v < firstCrossing())
-            sortAround(v, around);
+        if (linked_ < firstCrossing())
+            sortAround(linked_, around);
         else
             sortAtCrossing(around);
         for (size_t i = 0; i < around.size(); ++i) nextHalf_[around[i] ^ 1] = around[(i + around.size() - 1) % around.size()];
     }
+    if (linked_ < vertices_) return true;
+    outStart_ = out_ = {};
+    return false;
 }
 
-void Overlay::connect()
+bool Overlay::connect()
 {
-    placeVertices();
-    placeCrossings();
-    for (int in = 0; in < 2; ++in) {
+    constexpr size_t chunk = size_t(1) << 16;
+    const auto mix = [this](int in) {
         positions_[in].resize(vertices_);
         for (uint32_t v = 0; v < vertices_; ++v) positions_[in][v] = mixed(in, places_[in][v]);
-    }
-    pieces_.reserve(hops_[0].size() + hops_[1].size());
-    addPieces(0);
-    addPieces(1);
-    link();
-    filled_.assign(nextHalf_.size(), false);
+    };
+    const std::function<void()> parts[] = {[this] { placeVertices(); }, [this] { placeCrossings(); }, [&] { mix(0); },      [&] { mix(1); },
+                                           [this] { addPieces(0); },    [this] { addPieces(1); },     [this] { sortOut(); }};
+    if (part_ == std::ssize(parts)) return link(chunk);
+    parts[part_++]();
+    return true;
 }
 
 }  // namespace mw

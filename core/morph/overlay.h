@@ -32,7 +32,7 @@ public:
     void locate();                                          ///< the first vertex of each mesh in the other
     bool locateMore(int of, size_t most);                   ///< the rest, from neighbour to neighbour; false when all are
     void trace(int of, uint32_t firstEdge, uint32_t last);  ///< edges of mesh `of` through the other, in order
-    void connect();                                         ///< crossings are matched, pieces of edges joined at their ends
+    bool connect();                                         ///< crossings are matched, pieces of edges joined at their ends; false when all are
     bool fill(size_t most);                                 ///< triangles; false when all are there
 
     const OverlayInput& input(int of) const { return input_[of]; }
@@ -85,9 +85,10 @@ private:
     void placeCrossings();
     OverlayPlace placed(int in, const Location& at, const Direction& d) const;
     void addPieces(int of);
+    void sortOut();
+    bool link(size_t most);
     void sortAround(uint32_t vertex, std::span<uint32_t> halves) const;
     void sortAtCrossing(std::span<uint32_t> halves) const;
-    void link();
     void triangulate(std::vector<Side>& polygon, std::array<uint32_t, 2> from);
     double quality(uint32_t a, uint32_t b, uint32_t c) const;
     void emit(const Side& a, const Side& b, const Side& c, std::array<uint32_t, 2> lastLine, std::array<uint32_t, 2> from);
@@ -107,6 +108,9 @@ private:
     std::vector<OverlayPlace> places_[2];
     std::vector<glm::dvec3> positions_[2];
     std::vector<Piece> pieces_;
+    int part_ = 0;                          // of connect()
+    std::vector<uint32_t> outStart_, out_;  // half-edges by their origin, while they are linked
+    uint32_t linked_ = 0;                   // vertices
     std::vector<uint32_t> nextHalf_;
     std::vector<bool> filled_;
     uint32_t fillAt_ = 0;

@@ -53,11 +53,12 @@ std::vector<glm::vec3> wayOf(const Overlay& overlay, int of, uint32_t edge)
     return way;
 }
 
-MorphMaps mapsOf(const Mesh& input, const Morph& p)
+Generator mapsOf(Mesh input, Morph p, MorphMaps& out)
 {
-    if (p.method == Morph::Method::Projective) return projectiveMaps(input, p.other.mesh);
     const bool align = p.align == Morph::Align::Automatic;
-    return p.method == Morph::Method::Spherical ? sphericalMaps(input, p.other.mesh, align) : diskMaps(input, p.other.mesh, align);
+    if (p.method == Morph::Method::Spherical) return sphericalMaps(std::move(input), p.other.mesh, align, out);
+    if (p.method == Morph::Method::Barycentric) return diskMaps(std::move(input), p.other.mesh, align, out);
+    return projectiveMaps(std::move(input), p.other.mesh, out);
 }
 
 }  // namespace
@@ -69,11 +70,15 @@ Generator overlayMorph(Mesh input, Morph parameters, Stage<Mesh>& stage)
     Mesh shown = input;
     stage.show([&shown] { return shown; });
     co_yield Step("map").number("vertices", double(input.vertexCount())).number("others", double(parameters.other.mesh.vertexCount())).progress(0);
-    MorphMaps maps = mapsOf(input, parameters);
+    MorphMaps maps;
+    Generator mapping = mapsOf(input, parameters, maps);
+    while (mapping.next())
+        if (!stage.watched()) co_yield Step("map").progress(0.3 * double(mapping.step().progress()));
     const Mesh meshes[2] = {maps.meshes[0].mesh(), maps.meshes[1].mesh()};
     co_yield Step("aligned").number("turn", maps.turn).progress(0.3);
 
     Overlay overlay(std::move(maps.maps[0]), std::move(maps.maps[1]));
+    if (!stage.watched()) co_yield Step("insert").progress(0.35);
     overlay.locate();
     co_yield Step("insert").number("inserted", 0).progress(0.4);
     // Vertices of the second in the first, then the other way round.
@@ -120,7 +125,8 @@ Generator overlayMorph(Mesh input, Morph parameters, Stage<Mesh>& stage)
             e = last;
         }
     }
-    overlay.connect();
+    while (overlay.connect())
+        if (!stage.watched()) co_yield Step("join").progress(0.8);
     shown = partly(overlay);
     co_yield Step("join")
         .number("vertices", double(overlay.vertices()))
@@ -141,7 +147,9 @@ Generator overlayMorph(Mesh input, Morph parameters, Stage<Mesh>& stage)
             .number("faces", double(after))
             .progress(0.9);
     }
-    Mesh result = morphed(overlay, maps.meshes[0], name);
+    Mesh result = overlaid(overlay, maps.meshes[0]);
+    if (!stage.watched()) co_yield Step("triangles").progress(0.95);
+    result = withTarget(result, name, displacement(overlay));
     if (stage.watched()) {
         stage.show([&shown] { return shown; });
         for (int i = 0; i <= 8; ++i) {

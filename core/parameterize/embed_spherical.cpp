@@ -16,7 +16,7 @@ namespace mw {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr uint32_t pause = 1 << 13;  // vertices between two looks at whether to go on
+constexpr uint32_t pause = 1 << 12;  // vertices between two looks at whether to go on
 
 void expectSphere(const Mesh& mesh)
 {
@@ -206,29 +206,10 @@ std::vector<uint32_t> foldedFaces(const Mesh& mesh, std::span<const glm::dvec3> 
     return out;
 }
 
-std::vector<glm::dvec3> sphericalEmbedding(const Mesh& mesh, EdgeWeights weights, int64_t rounds)
-{
-    expectSphere(mesh);
-    EmbedSpherical p;
-    p.weights = weights;
-    Globe globe(mesh, p);
-    SphereHierarchy hierarchy(globe.triangles());
-    while (hierarchy.removeNext()) {
-    }
-    while (hierarchy.insertNext()) {
-    }
-    globe.places = hierarchy.takePlaces();
-    double largest = 1;
-    for (int64_t round = 0; round < rounds && largest > p.tolerance; ++round) {
-        largest = 0;
-        for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-            if (globe.used(v)) largest = std::max(largest, globe.relax(v));
-        globe.recentre();
-    }
-    return std::move(globe.places);
-}
+namespace {
 
-Generator embedSpherical(Mesh input, EmbedSpherical p, Stage<Mesh>& stage)
+/// The operation, or with `places` only where the vertices lie.
+Generator layOut(Mesh input, EmbedSpherical p, Stage<Mesh>& stage, std::vector<glm::dvec3>* places)
 {
     co_yield Step("remove").progress(0);
     expectSphere(input);
@@ -252,14 +233,17 @@ Generator embedSpherical(Mesh input, EmbedSpherical p, Stage<Mesh>& stage)
             globe.places = hierarchy.places();
             return globe.asItStands();
         });
-        for (uint32_t i = 0; hierarchy.insertNext(); ++i)
+        for (uint32_t i = 0; hierarchy.insertNext(); ++i) {
+            const double done = 0.2 + 0.4 * double(hierarchy.left()) / all;
             if (stage.watched() || i % pause == 0)
                 co_yield Step("insert")
                     .vertex(hierarchy.vertex(), Role::New, "u")
                     .ring(ElementKind::Vertex, Role::Neighbour, hierarchy.ring())
                     .number("placed", double(hierarchy.left()))
                     .number("room", hierarchy.room() * 180 / pi)
-                    .progress(0.2 + 0.4 * double(hierarchy.left()) / all);
+                    .progress(done);
+            while (!stage.watched() && hierarchy.evenOut()) co_yield Step("insert").progress(done);
+        }
         stage.show([&] { return globe.asItStands(); });
         globe.places = hierarchy.takePlaces();
     }
@@ -300,6 +284,10 @@ Generator embedSpherical(Mesh input, EmbedSpherical p, Stage<Mesh>& stage)
             .number("folded", double(folded))
             .progress(done);
     }
+    if (places) {
+        *places = std::move(globe.places);
+        co_return;
+    }
     const std::vector<uint32_t> folded = foldedFaces(input, globe.places);
     co_yield Step("result")
         .ring(ElementKind::Face, Role::Rejected, folded)
@@ -307,6 +295,32 @@ Generator embedSpherical(Mesh input, EmbedSpherical p, Stage<Mesh>& stage)
         .number("folded", double(folded.size()))
         .progress(1);
     stage.finish(globe.result(folded));
+}
+
+}  // namespace
+
+Generator embedSpherical(Mesh input, EmbedSpherical p, Stage<Mesh>& stage)
+{
+    return layOut(std::move(input), p, stage, nullptr);
+}
+
+Generator sphericalEmbedding(Mesh mesh, EmbedSpherical p, std::vector<glm::dvec3>& places)
+{
+    Stage<Mesh> unwatched(false);
+    Generator all = layOut(std::move(mesh), p, unwatched, &places);
+    while (all.next()) co_yield all.step();
+}
+
+std::vector<glm::dvec3> sphericalEmbedding(const Mesh& mesh, EdgeWeights weights, int64_t rounds)
+{
+    EmbedSpherical p;
+    p.weights = weights;
+    p.iterations = rounds;
+    std::vector<glm::dvec3> places;
+    Generator all = sphericalEmbedding(mesh, p, places);
+    while (all.next()) {
+    }
+    return places;
 }
 
 }  // namespace mw

@@ -54,6 +54,8 @@ Generator embedSpherical(Mesh input, EmbedSpherical parameters, Stage<Mesh>& sta
 /// Places on the unit sphere of all vertices of a closed, oriented manifold of genus 0 in one piece (else Error), without fold-overs: for every
 /// triangle of mesh.triangulation() P_a . (P_b x P_c) > 0. Vertices of no face are at 0. About a second for 50,000 vertices at 50 rounds.
 std::vector<glm::dvec3> sphericalEmbedding(const Mesh& mesh, EdgeWeights weights = EdgeWeights::Uniform, int64_t rounds = 50);
+/// The same in parts, for callers that show progress and hear cancels; weights, start, rounds and tolerance of `how`. `places` is set at the end.
+Generator sphericalEmbedding(Mesh mesh, EmbedSpherical how, std::vector<glm::dvec3>& places);
 
 /// Longitude (from +Z towards +X, 0 to 2 pi) and latitude (-pi/2 to pi/2) of a direction. (3.48)
 glm::dvec2 sphericalCoordinates(const glm::dvec3& direction);

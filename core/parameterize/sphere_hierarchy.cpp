@@ -13,6 +13,7 @@
 namespace mw {
 namespace {
 
+constexpr size_t evenRounds = 3;   // between two levels
 constexpr size_t mostValence = 8;  // of what is taken out, as long as there is anything
 
 /// The middle of the largest circle that lies on the inner side of all great circles through two successive points. `room` is its angle, below 0
@@ -185,27 +186,32 @@ void SphereHierarchy::putTetrahedron()
 }
 
 /// Every vertex towards the middle of its ring, faces weighted by their area: so none gets small.
-void SphereHierarchy::evenOut()
+bool SphereHierarchy::evenOut()
 {
-    const double least = 1e-3 * 8 * 3.14159265358979 / (2 * double(present_.size()));
-    for (int round = 0; round < 3; ++round)
-        for (const uint32_t v : present_) {
-            const std::vector<uint32_t>& ring = rings_[v];
-            glm::dvec3 sum(0);
-            double weight = 0;
-            for (size_t i = 0; i < ring.size(); ++i) {
-                const glm::dvec3 &a = places_[ring[i]], &b = places_[ring[(i + 1) % ring.size()]];
-                const double area = glm::length(glm::cross(a - places_[v], b - places_[v]));
-                sum += area * (a + b + places_[v]);
-                weight += 3 * area;
-            }
-            if (weight > 0) moveOnSphere(places_, v, ring, sum / weight, least);
+    constexpr size_t atOnce = 4096;
+    const size_t n = present_.size();
+    const double least = 1e-3 * 8 * 3.14159265358979 / (2 * double(n));
+    for (size_t i = 0; i < atOnce && toEven_ > 0; ++i, --toEven_) {
+        const uint32_t v = present_[(n - toEven_ % n) % n];
+        const std::vector<uint32_t>& ring = rings_[v];
+        glm::dvec3 sum(0);
+        double weight = 0;
+        for (size_t k = 0; k < ring.size(); ++k) {
+            const glm::dvec3 &a = places_[ring[k]], &b = places_[ring[(k + 1) % ring.size()]];
+            const double area = glm::length(glm::cross(a - places_[v], b - places_[v]));
+            sum += area * (a + b + places_[v]);
+            weight += 3 * area;
         }
+        if (weight > 0) moveOnSphere(places_, v, ring, sum / weight, least);
+    }
+    return toEven_ > 0;
 }
 
 bool SphereHierarchy::insertNext()
 {
     if (!based_) putTetrahedron();
+    while (evenOut()) {
+    }
     if (removed_.empty()) return false;
     Removal r = std::move(removed_.back());
     removed_.pop_back();
@@ -229,7 +235,7 @@ bool SphereHierarchy::insertNext()
     last_ = u;
     present_.push_back(u);
     ++left_;
-    if (removed_.empty() || removed_.back().level != r.level) evenOut();
+    if (removed_.empty() || removed_.back().level != r.level) toEven_ = evenRounds * present_.size();
     return true;
 }
 

@@ -21,8 +21,10 @@ public:
 
     /// Takes one vertex out; false when four are left. Throws Error when the mesh is no sphere.
     bool removeNext();
-    /// Puts one back; false when all are there.
+    /// Puts one back; false when all are there. Does first what evenOut() has left.
     bool insertNext();
+    /// After the last one of a level all vertices are evened out, a few thousand a call; false when none are left.
+    bool evenOut();
 
     size_t left() const { return left_; }      ///< vertices that are not taken out
     uint32_t vertex() const { return last_; }  ///< of the last removal or insertion
@@ -40,7 +42,6 @@ private:
     void beginLevel();
     bool remove(uint32_t u);
     void putTetrahedron();
-    void evenOut();
 
     std::vector<std::vector<uint32_t>> rings_;
     std::vector<uint32_t> queue_;  // of this level
@@ -52,6 +53,7 @@ private:
     std::vector<uint32_t> present_, lastRing_;
     std::vector<glm::dvec3> places_;
     bool based_ = false;
+    size_t toEven_ = 0;  // moves that are still to be made between two levels
     double room_ = 0;
 };
 

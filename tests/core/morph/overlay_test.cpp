@@ -36,7 +36,8 @@ Overlay overlaid(MorphMaps& maps)
         }
         o.trace(of, 0, uint32_t(o.input(of).map.edges()));
     }
-    o.connect();
+    while (o.connect()) {
+    }
     while (o.fill(100)) {
     }
     return o;

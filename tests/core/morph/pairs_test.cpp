@@ -6,8 +6,10 @@
 #include "core/io/io.h"
 #include "core/mesh/topology.h"
 #include "core/mesh/triangle_tree.h"
+#include "core/morph/morph.h"
 #include "core/morph/target.h"
 #include "tests/data.h"
+#include "tests/longest_pull.h"
 #include "tests/mesh_checks.h"
 
 namespace mw {
@@ -91,6 +93,20 @@ TEST(MorphPairs, BarycentricOfHeadAndFlower)
     MESHWRIGHT_DATA_OR_SKIP(data);
     const auto mesh = [&](const char* name) { return read(data / "meshes/disk" / name); };
     expectMorph(mesh("camelhead.off"), mesh("lilium.obj"), "other=x");
+}
+
+/// About 1.3 s of work: less than 0.2 s between two looks at whether to go on.
+TEST(MorphPairs, CancelIsHeardAllAlong)
+{
+    MESHWRIGHT_DATA_OR_SKIP(data);
+    const auto mesh = [&](const char* name) { return read(data / "meshes/closed_genus0" / name); };
+    Morph p;
+    p.method = Morph::Method::Spherical;
+    p.other = {.name = "x", .mesh = mesh("cheburashka.off")};
+    Stage<Mesh> stage(false);
+    const test::Pulls pulls = test::pulled(morph(mesh("armadillo.obj"), p, stage));
+    EXPECT_GT(pulls.count, 500u);
+    EXPECT_LT(pulls.share(), 0.15) << pulls.longest << " of " << pulls.all << " s";
 }
 
 TEST(MorphPairs, BarycentricOfMadeDisks)

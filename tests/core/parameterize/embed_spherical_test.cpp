@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "core/io/io.h"
 #include "core/mesh/topology.h"
 #include "core/metrics/uv_layout.h"
 #include "core/parameterize/sphere_hierarchy.h"
 #include "tests/core/algorithm_meshes.h"
 #include "tests/data.h"
+#include "tests/longest_pull.h"
 
 namespace mw::test {
 namespace {
@@ -152,6 +154,16 @@ TEST(EmbedSpherical, OtherThanSpheresAreRefusedWithARemedy)
 }
 
 /// Taking out and putting back ends where it began.
+TEST(EmbedSpherical, CancelIsHeardAllAlong)
+{
+    MESHWRIGHT_DATA_OR_SKIP(data);
+    const Imported in = readFile(data / "meshes/closed_genus0/armadillo.obj");
+    Stage<Mesh> stage(false);
+    const test::Pulls pulls = test::pulled(embedSpherical(in.scene.find(in.scene.meshes().front())->base, {}, stage));
+    EXPECT_GT(pulls.count, 200u);
+    EXPECT_LT(pulls.share(), 0.1) << pulls.longest << " of " << pulls.all << " s";
+}
+
 TEST(SphereHierarchy, EveryVertexComesBack)
 {
     const Mesh mesh = source("icosphere", "subdivisions=2");

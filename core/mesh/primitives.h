@@ -1,5 +1,6 @@
 // Sources: meshes made from a few numbers.
 #pragma once
+#include "core/mesh/describe_length.h"
 #include "core/mesh/mesh.h"
 #include "core/steps/stage.h"
 
@@ -13,15 +14,7 @@ struct Icosphere {
     {
         v.integer("subdivisions", subdivisions,
                   {.title = "Subdivisions", .help = "How often every triangle is cut in four: 20, 80, 320, ... triangles.", .min = 0, .max = 8});
-        v.number("radius", radius,
-                 {.title = "Radius",
-                  .help = "Distance of all vertices from the origin.",
-                  .unit = "m",
-                  .min = 1e-6,
-                  .max = 1e6,
-                  .softMin = 0.1,
-                  .softMax = 10,
-                  .logarithmic = true});
+        describeLength(v, "radius", radius, "Radius", "Distance of all vertices from the origin.");
     }
 };
 

@@ -1,5 +1,6 @@
 // Sources: two small open shapes whose maps can be followed vertex by vertex. Book 3.3.2, figure 3.27.
 #pragma once
+#include "core/mesh/describe_length.h"
 #include "core/mesh/mesh.h"
 #include "core/steps/stage.h"
 
@@ -10,15 +11,7 @@ struct SmallDisk {
     template <class V>
     void describe(V& v)
     {
-        v.number("size", size,
-                 {.title = "Size",
-                  .help = "Width of its box along X.",
-                  .unit = "m",
-                  .min = 1e-6,
-                  .max = 1e6,
-                  .softMin = 0.1,
-                  .softMax = 10,
-                  .logarithmic = true});
+        describeLength(v, "size", size, "Size", "Width of its box along X.");
     }
 };
 

@@ -1,6 +1,7 @@
 // Sources: the solids every editor offers, as polygons with texture coordinates. Closed ones have their outside anticlockwise, +Y is up, the
 // middle of the box is at the origin, shared vertices are shared (seams lie in the corners' texture coordinates).
 #pragma once
+#include "core/mesh/describe_length.h"
 #include "core/mesh/mesh.h"
 #include "core/steps/stage.h"
 
@@ -12,12 +13,9 @@ struct Box {
     template <class V>
     void describe(V& v)
     {
-        v.number("width", width,
-                 {.title = "Width", .help = "Along X.", .unit = "m", .min = 1e-6, .max = 1e6, .softMin = 0.1, .softMax = 10, .logarithmic = true});
-        v.number("height", height,
-                 {.title = "Height", .help = "Along Y.", .unit = "m", .min = 1e-6, .max = 1e6, .softMin = 0.1, .softMax = 10, .logarithmic = true});
-        v.number("depth", depth,
-                 {.title = "Depth", .help = "Along Z.", .unit = "m", .min = 1e-6, .max = 1e6, .softMin = 0.1, .softMax = 10, .logarithmic = true});
+        describeLength(v, "width", width, "Width", "Along X.");
+        describeLength(v, "height", height, "Height", "Along Y.");
+        describeLength(v, "depth", depth, "Depth", "Along Z.");
         v.integer("segments", segments, {.title = "Segments", .help = "Quads along each edge.", .min = 1, .max = 2048, .softMin = 1, .softMax = 128});
     }
 };
@@ -28,10 +26,8 @@ struct Grid {
     template <class V>
     void describe(V& v)
     {
-        v.number("width", width,
-                 {.title = "Width", .help = "Along X.", .unit = "m", .min = 1e-6, .max = 1e6, .softMin = 0.1, .softMax = 10, .logarithmic = true});
-        v.number("depth", depth,
-                 {.title = "Depth", .help = "Along Z.", .unit = "m", .min = 1e-6, .max = 1e6, .softMin = 0.1, .softMax = 10, .logarithmic = true});
+        describeLength(v, "width", width, "Width", "Along X.");
+        describeLength(v, "depth", depth, "Depth", "Along Z.");
         v.integer("columns", columns, {.title = "Columns", .help = "Quads along X.", .min = 1, .max = 2048, .softMin = 1, .softMax = 128});
         v.integer("rows", rows, {.title = "Rows", .help = "Quads along Z.", .min = 1, .max = 2048, .softMin = 1, .softMax = 128});
     }
@@ -43,15 +39,7 @@ struct UvSphere {
     template <class V>
     void describe(V& v)
     {
-        v.number("radius", radius,
-                 {.title = "Radius",
-                  .help = "Distance of all vertices from the origin.",
-                  .unit = "m",
-                  .min = 1e-6,
-                  .max = 1e6,
-                  .softMin = 0.1,
-                  .softMax = 10,
-                  .logarithmic = true});
+        describeLength(v, "radius", radius, "Radius", "Distance of all vertices from the origin.");
         v.integer("segments", segments, {.title = "Segments", .help = "Faces round the axis.", .min = 3, .max = 2048, .softMin = 3, .softMax = 128});
         v.integer("rings", rings, {.title = "Rings", .help = "Faces from pole to pole.", .min = 2, .max = 2048, .softMin = 2, .softMax = 128});
     }
@@ -66,17 +54,8 @@ struct Cylinder {
     template <class V>
     void describe(V& v)
     {
-        v.number("radius", radius,
-                 {.title = "Radius",
-                  .help = "Of the vertices round the axis.",
-                  .unit = "m",
-                  .min = 1e-6,
-                  .max = 1e6,
-                  .softMin = 0.1,
-                  .softMax = 10,
-                  .logarithmic = true});
-        v.number("height", height,
-                 {.title = "Height", .help = "Along Y.", .unit = "m", .min = 1e-6, .max = 1e6, .softMin = 0.1, .softMax = 10, .logarithmic = true});
+        describeLength(v, "radius", radius, "Radius", "Of the vertices round the axis.");
+        describeLength(v, "height", height, "Height", "Along Y.");
         v.integer("segments", segments, {.title = "Segments", .help = "Faces round the axis.", .min = 3, .max = 2048, .softMin = 3, .softMax = 128});
         v.integer("rings", rings, {.title = "Rings", .help = "Faces along the axis.", .min = 1, .max = 2048, .softMin = 1, .softMax = 128});
         v.choice("caps", caps, {"fan", "polygon", "open"}, {.title = "Caps", .help = "Ends of triangles, of one polygon each, or none."});
@@ -90,18 +69,8 @@ struct Cone {
     template <class V>
     void describe(V& v)
     {
-        v.number(
-            "radius", radius,
-            {.title = "Radius", .help = "Of the base.", .unit = "m", .min = 1e-6, .max = 1e6, .softMin = 0.1, .softMax = 10, .logarithmic = true});
-        v.number("height", height,
-                 {.title = "Height",
-                  .help = "From the base to the tip.",
-                  .unit = "m",
-                  .min = 1e-6,
-                  .max = 1e6,
-                  .softMin = 0.1,
-                  .softMax = 10,
-                  .logarithmic = true});
+        describeLength(v, "radius", radius, "Radius", "Of the base.");
+        describeLength(v, "height", height, "Height", "From the base to the tip.");
         v.integer("segments", segments, {.title = "Segments", .help = "Faces round the axis.", .min = 3, .max = 2048, .softMin = 3, .softMax = 128});
         v.integer("rings", rings, {.title = "Rings", .help = "Faces from the base to the tip.", .min = 1, .max = 2048, .softMin = 1, .softMax = 128});
         v.choice("caps", caps, {"fan", "polygon", "open"}, {.title = "Base", .help = "Of triangles, of one polygon, or none."});
@@ -114,24 +83,8 @@ struct Torus {
     template <class V>
     void describe(V& v)
     {
-        v.number("radius", radius,
-                 {.title = "Radius",
-                  .help = "From the axis to the middle of the tube.",
-                  .unit = "m",
-                  .min = 1e-6,
-                  .max = 1e6,
-                  .softMin = 0.1,
-                  .softMax = 10,
-                  .logarithmic = true});
-        v.number("tube", tube,
-                 {.title = "Tube",
-                  .help = "Radius of the tube itself.",
-                  .unit = "m",
-                  .min = 1e-6,
-                  .max = 1e6,
-                  .softMin = 0.1,
-                  .softMax = 10,
-                  .logarithmic = true});
+        describeLength(v, "radius", radius, "Radius", "From the axis to the middle of the tube.");
+        describeLength(v, "tube", tube, "Tube", "Radius of the tube itself.");
         v.integer("segments", segments, {.title = "Segments", .help = "Faces round the axis.", .min = 3, .max = 2048, .softMin = 3, .softMax = 128});
         v.integer("sides", sides, {.title = "Sides", .help = "Faces round the tube.", .min = 3, .max = 2048, .softMin = 3, .softMax = 128});
     }

@@ -1,5 +1,6 @@
 // Morph targets: a mesh gets the displacement of each of its points to the matching point of another mesh. Book 3.4.
 #pragma once
+#include "core/mesh/describe_length.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/other_mesh.h"
 #include "core/steps/stage.h"
@@ -42,26 +43,9 @@ struct Morph {
                  {.title = "Alignment",
                   .help = "barycentric and spherical: turn the maps so that matching points are as near as can be, or leave them as they are.",
                   .when = "method=auto|barycentric|spherical"});
-        v.number("radius", radius,
-                 {.title = "Radius R",
-                  .help = "Of the target torus: from the axis to the middle of the tube.",
-                  .unit = "m",
-                  .min = 1e-6,
-                  .max = 1e6,
-                  .softMin = 0.1,
-                  .softMax = 10,
-                  .logarithmic = true,
-                  .when = "method=cylinder-torus|sphere-torus"});
-        v.number("tube", tube,
-                 {.title = "Tube r",
-                  .help = "Of the target torus: radius of the tube.",
-                  .unit = "m",
-                  .min = 1e-6,
-                  .max = 1e6,
-                  .softMin = 0.1,
-                  .softMax = 10,
-                  .logarithmic = true,
-                  .when = "method=cylinder-torus|sphere-torus"});
+        describeLength(v, "radius", radius, "Radius R", "Of the target torus: from the axis to the middle of the tube.",
+                       "method=cylinder-torus|sphere-torus");
+        describeLength(v, "tube", tube, "Tube r", "Of the target torus: radius of the tube.", "method=cylinder-torus|sphere-torus");
         v.number("height", height,
                  {.title = "Height H",
                   .help = "Of the cylinder, from its lower end; 0: as high as the mesh is.",

@@ -1,5 +1,6 @@
 // Modifier: brings a mesh to the origin and to a size of 1 (book 2.8).
 #pragma once
+#include "core/mesh/describe_length.h"
 #include "core/mesh/mesh.h"
 #include "core/steps/stage.h"
 
@@ -20,15 +21,7 @@ struct Normalise {
         v.choice("fit", fit, {"sphere", "box", "keep"},
                  {.title = "Fit",
                   .help = "Sphere: the farthest vertex is half the size from the centre. Box: the longest side is the size. Keep: the size stays."});
-        v.number("size", size,
-                 {.title = "Size",
-                  .help = "Diameter of the sphere, or longest side of the box, afterwards.",
-                  .unit = "m",
-                  .min = 1e-6,
-                  .max = 1e6,
-                  .softMin = 0.1,
-                  .softMax = 10,
-                  .logarithmic = true});
+        describeLength(v, "size", size, "Size", "Diameter of the sphere, or longest side of the box, afterwards.");
         v.choice("centre", centre, {"box", "centroid", "keep"},
                  {.title = "Centre",
                   .help = "What goes to the origin: the middle of the bounding box, or the centroid of the surface. Keep: the origin stays."});

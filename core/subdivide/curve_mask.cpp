@@ -78,36 +78,30 @@ std::vector<double> weightsIn(std::string_view text, const char* what)
 
 Generator byMask(Curve input, SubdivideCurve p, CurveMask mask, Stage<Curve>& stage)
 {
-    const bool closed = p.ends == SubdivideCurve::Ends::AsGiven ? input.closed : p.ends == SubdivideCurve::Ends::Closed;
-    check(input, closed, p.levels);
+    Refining at(input, p);
     if (mask.old.size() % 2 == 0)
         throw Error("the old points have " + std::to_string(mask.old.size()) +
                     " weights; give an odd number: the point itself and as many on both sides");
-    const Points control = input.control.empty() ? input.points : input.control;
-    Points old = input.points, fresh;
-    size_t taken = 0;  // points of `old` that `fresh` stands for
-    stage.show([&] {
-        Curve c{fresh, control, closed};
-        c.points.insert(c.points.end(), old.begin() + ptrdiff_t(taken), old.end());
-        return c;
-    });
+    stage.show([&at] { return at.asItStands(); });
     size_t made = 0;
+    const Points& old = at.old;
+    Points& fresh = at.fresh;
     for (int64_t level = 1; level <= p.levels; ++level) {
-        const Polygon polygon(old, closed);
+        const Polygon polygon(old, at.closed);
         const size_t n = old.size();
         for (size_t i = 0; i < n; ++i) {
             const auto k = int64_t(i);
-            const double done = (double(level - 1) + double(i) / double(n)) / double(p.levels);
+            const double done = at.done(level, i);
             const glm::dvec3 moved = polygon.moves(i) ? weighed(polygon, mask.old, k + mask.oldFrom()) : old[i];
             fresh.push_back(moved);
-            taken = i + 1;
+            at.taken = i + 1;
             if (stage.watched() || (++made & 1023) == 0) {
                 Step step = weighing("weigh-old", polygon, mask.old, k + mask.oldFrom(), old[i], moved);
                 std::move(step).vertex(uint32_t(fresh.size() - 1), Role::New, "v").number("level", double(level)).number("index", double(i));
                 std::move(step).number("weights", double(mask.old.size())).number("moved", glm::distance(old[i], moved)).progress(done);
                 co_yield std::move(step);
             }
-            if (i >= segments(n, closed)) continue;
+            if (i >= segments(n, at.closed)) continue;
             const glm::dvec3 point = weighed(polygon, mask.fresh, k + mask.freshFrom()), middle = 0.5 * (old[i] + polygon.at(k + 1));
             fresh.push_back(point);
             if (!stage.watched() && (++made & 1023) != 0) continue;
@@ -116,17 +110,9 @@ Generator byMask(Curve input, SubdivideCurve p, CurveMask mask, Stage<Curve>& st
             std::move(step).number("weights", double(mask.fresh.size())).number("offset", glm::distance(middle, point)).progress(done);
             co_yield std::move(step);
         }
-        old = std::move(fresh);
-        fresh.clear();
-        taken = 0;
-        const double kink = stage.watched() ? greatestKink(old, closed) : 0;
-        co_yield Step("level")
-            .number("level", double(level))
-            .number("points", double(old.size()))
-            .number("kink", kink)
-            .progress(double(level) / double(p.levels));
+        co_yield at.endLevel(level, stage.watched());
     }
-    stage.finish(Curve{std::move(old), control, closed});
+    stage.finish(at.result());
 }
 
 }  // namespace mw

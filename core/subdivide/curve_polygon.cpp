@@ -26,12 +26,35 @@ double greatestKink(const Points& p, bool closed)
     return glm::degrees(most);
 }
 
-void check(const Curve& input, bool closed, int64_t levels)
+Refining::Refining(const Curve& input, const SubdivideCurve& how)
+    : old(input.points),
+      closed(how.ends == SubdivideCurve::Ends::AsGiven ? input.closed : how.ends == SubdivideCurve::Ends::Closed),
+      control_(input.control.empty() ? input.points : input.control),
+      levels_(how.levels)
 {
-    const size_t n = input.points.size();
+    const size_t n = old.size();
     if (n < (closed ? 3u : 2u)) throw Error(closed ? "a closed curve wants three points or more" : "a curve wants two points or more");
-    if (double(n) * std::pow(2.0, double(levels)) > double(mostPoints))
+    if (double(n) * std::pow(2.0, double(levels_)) > double(mostPoints))
         throw Error("the curve would have more than " + std::to_string(mostPoints) + " points; take fewer levels");
+}
+
+Curve Refining::asItStands() const
+{
+    Curve c{fresh, control_, closed};
+    c.points.insert(c.points.end(), old.begin() + ptrdiff_t(taken), old.end());
+    return c;
+}
+
+Step Refining::endLevel(int64_t level, bool measured)
+{
+    old = std::move(fresh);
+    fresh.clear();
+    taken = 0;
+    return Step("level")
+        .number("level", double(level))
+        .number("points", double(old.size()))
+        .number("kink", measured ? greatestKink(old, closed) : 0)
+        .progress(double(level) / double(levels_));
 }
 
 }  // namespace mw::curves

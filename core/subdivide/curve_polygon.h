@@ -1,6 +1,7 @@
 // What the schemes for curves share: a polygon that goes on beyond its ends, and what is checked and measured.
 #pragma once
-#include "core/mesh/curve.h"
+#include "core/steps/step.h"
+#include "core/subdivide/subdivide_curve.h"
 
 namespace mw::curves {
 
@@ -31,7 +32,29 @@ private:
 size_t segments(size_t points, bool closed);
 /// The greatest angle between neighbouring segments, degrees: what is left of the kinks.
 double greatestKink(const Points& p, bool closed);
-/// Throws Error when there are too few points, or when there would be too many.
-void check(const Curve& input, bool closed, int64_t levels);
+
+/// The points of a level and those of the next, as far as they are made.
+class Refining {
+public:
+    /// Throws Error when there are too few points, or when there would be too many.
+    Refining(const Curve& input, const SubdivideCurve& how);
+
+    Points old, fresh;
+    size_t taken = 0;  ///< points of `old` that `fresh` stands for
+    const bool closed;
+
+    /// Refined so far, and the rest as it was.
+    Curve asItStands() const;
+    /// After the last point of a level. `measured`: the step says how kinked the curve still is.
+    Step endLevel(int64_t level, bool measured);
+    /// After the last level.
+    Curve result() { return {std::move(old), control_, closed}; }
+    /// How far the run is at point i of a level.
+    double done(int64_t level, size_t i) const { return (double(level - 1) + double(i) / double(old.size())) / double(levels_); }
+
+private:
+    Points control_;
+    int64_t levels_;
+};
 
 }  // namespace mw::curves

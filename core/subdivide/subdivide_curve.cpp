@@ -14,33 +14,25 @@ using namespace curves;
 
 Generator byScheme(Curve input, SubdivideCurve p, Stage<Curve>& stage)
 {
-    const bool closed = p.ends == SubdivideCurve::Ends::AsGiven ? input.closed : p.ends == SubdivideCurve::Ends::Closed;
-    check(input, closed, p.levels);
+    Refining at(input, p);
     const double w = p.scheme == SubdivideCurve::Scheme::Positive ? -0.125 : p.w;
     const bool spline = p.scheme == SubdivideCurve::Scheme::BSpline;
-    const Points control = input.control.empty() ? input.points : input.control;
-    Points old = input.points, fresh;
-    size_t taken = 0;  // points of `old` that `fresh` stands for
-    // Refined so far, and the rest as it was.
-    stage.show([&] {
-        Curve c{fresh, control, closed};
-        c.points.insert(c.points.end(), old.begin() + ptrdiff_t(taken), old.end());
-        return c;
-    });
-
+    stage.show([&at] { return at.asItStands(); });
     size_t made = 0;
+    const Points& old = at.old;
+    Points& fresh = at.fresh;
     for (int64_t level = 1; level <= p.levels; ++level) {
-        const Polygon polygon(old, closed);
+        const Polygon polygon(old, at.closed);
         const size_t n = old.size();
         for (size_t i = 0; i < n; ++i) {
             const auto k = int64_t(i);
-            const double done = (double(level - 1) + double(i) / double(n)) / double(p.levels);
+            const double done = at.done(level, i);
             glm::dvec3 point = old[i];
             if (spline && polygon.moves(i)) {
                 const glm::dvec3 before = polygon.at(k - 1), after = polygon.at(k + 1);
                 point = (before + 6.0 * old[i] + after) / 8.0;
                 fresh.push_back(point);
-                taken = i + 1;
+                at.taken = i + 1;
                 if (stage.watched() || (++made & 1023) == 0)
                     co_yield Step("move")
                         .segment(glm::vec3(old[i]), glm::vec3(point), Role::Removed)
@@ -54,9 +46,9 @@ Generator byScheme(Curve input, SubdivideCurve p, Stage<Curve>& stage)
                         .progress(done);
             } else {
                 fresh.push_back(point);
-                taken = i + 1;
+                at.taken = i + 1;
             }
-            if (i >= segments(n, closed)) continue;
+            if (i >= segments(n, at.closed)) continue;
             const glm::dvec3 a = polygon.at(k - 1), b = old[i], c = polygon.at(k + 1), d = polygon.at(k + 2);
             const glm::dvec3 middle = 0.5 * (b + c);
             point = spline ? middle : -w * a + (0.5 + w) * (b + c) - w * d;
@@ -85,17 +77,9 @@ Generator byScheme(Curve input, SubdivideCurve p, Stage<Curve>& stage)
                     .number("offset", glm::distance(middle, point))
                     .progress(done);
         }
-        old = std::move(fresh);
-        fresh.clear();
-        taken = 0;
-        const double kink = stage.watched() ? greatestKink(old, closed) : 0;
-        co_yield Step("level")
-            .number("level", double(level))
-            .number("points", double(old.size()))
-            .number("kink", kink)
-            .progress(double(level) / double(p.levels));
+        co_yield at.endLevel(level, stage.watched());
     }
-    stage.finish(Curve{std::move(old), control, closed});
+    stage.finish(at.result());
 }
 
 }  // namespace

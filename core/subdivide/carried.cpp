@@ -36,7 +36,7 @@ template <size_t K, class T>
 Shared<T> mixedOf(const Shared<T>& old, size_t components, const FaceCut& cut)
 {
     const size_t k = K ? K : components;
-    Array<T> a = lanes::largeArray<T>(cut.newCorners() * k);
+    Array<T> a = largeArray<T>(cut.newCorners() * k);
     T* out = a.data();
     const T* in = old.data();
     forNewCorners(
@@ -120,24 +120,24 @@ Attribute cutCorners(const Attribute& a, const FaceCut& cut)
 
 Attribute cutCrease(const Attribute& crease, const FaceCut& cut, Creases creases)
 {
-    Array<float> out = lanes::largeArray<float>(cut.newCorners());
-    std::fill(out.begin(), out.end(), 0.f);
+    Array<float> sharpness(crease.size());
+    for (size_t c = 0; c < sharpness.size(); ++c) sharpness[c] = crease.floats().empty() ? float(crease.at(c, 0)) : crease.floats()[c];
+    for (float& s : sharpness) s = creases == Creases::Fading ? std::max(0.f, s - 1) : creases == Creases::Kept || s >= 1 ? s : 0.f;
+    Array<float> out = largeArray<float>(cut.newCorners());
     float* to = out.data();
-    const std::span<const float> plain = crease.floats();
-    const auto left = [&](uint32_t c) {
-        const float sharpness = plain.empty() ? float(crease.at(c, 0)) : plain[c];
-        if (creases == Creases::Fading) return std::max(0.f, sharpness - 1);
-        return creases == Creases::Kept || sharpness >= 1 ? sharpness : 0.f;
-    };
     for (size_t f = 0; f < cut.faces; ++f) {
         const uint32_t first = cut.first(f), end = cut.first(f + 1);
         const bool triangles = cut.intoTriangles(end - first);
-        const size_t size = triangles ? 3 : 4;
-        for (uint32_t c = first; c < end; ++c, to += size) {
-            to[0] = left(c);
-            to[size - 1] = left(c == first ? end - 1 : c - 1);
+        float before = end > first ? sharpness[end - 1] : 0;
+        for (uint32_t c = first; c < end; ++c) {
+            const float own = sharpness[c];
+            *to++ = own;
+            *to++ = 0;
+            if (!triangles) *to++ = 0;
+            *to++ = before;
+            before = own;
         }
-        if (triangles) to += 3;
+        for (int k = 0; triangles && k < 3; ++k) *to++ = 0;
     }
     return floatAttribute(crease.name, Domain::Corner, 1, std::move(out));
 }

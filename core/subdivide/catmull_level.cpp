@@ -67,10 +67,10 @@ CatmullLevel CatmullLevel::refined(bool last) const
     CatmullLevel n;
     const uint32_t v = uint32_t(vertices), e2 = 2 * uint32_t(edges.size()), centre = v + uint32_t(edges.size());
     n.vertices = vertices + edges.size() + faces();
-    n.vertex = lanes::largeArray<uint32_t>(4 * vertex.size());
+    n.vertex = largeArray<uint32_t>(4 * vertex.size());
     if (!last) {
-        n.half = lanes::largeArray<uint32_t>(4 * vertex.size());
-        n.edges = lanes::largeArray<Edge>(2 * edges.size() + vertex.size());
+        n.half = largeArray<uint32_t>(4 * vertex.size());
+        n.edges = largeArray<Edge>(2 * edges.size() + vertex.size());
         for (size_t e = 0; e < edges.size(); ++e) {
             const uint32_t middle = v + uint32_t(e);
             n.edges[2 * e] = {edges[e].a, middle, 0, 0};

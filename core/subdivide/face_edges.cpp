@@ -127,8 +127,12 @@ FaceEdges faceEdgesOf(const Mesh& mesh, std::span<const float> crease, float las
 std::vector<SharpEdge> faded(const std::vector<SharpEdge>& sharp)
 {
     std::vector<SharpEdge> out;
-    for (const SharpEdge& s : sharp)
-        if (s.sharpness > 1) out.insert(out.end(), {{2 * s.edge, s.sharpness - 1}, {2 * s.edge + 1, s.sharpness - 1}});
+    out.reserve(2 * sharp.size());
+    for (const SharpEdge& s : sharp) {
+        if (!(s.sharpness > 1)) continue;
+        out.push_back({2 * s.edge, s.sharpness - 1});
+        out.push_back({2 * s.edge + 1, s.sharpness - 1});
+    }
     return out;
 }
 

@@ -44,8 +44,6 @@ struct Sum {
         std::memcpy(&(point).z, &mwHigh, sizeof mwHigh);                \
     }
 
-using mw::largeArray, mw::preferLargePages;
-
 /// Not filled. Reading four floats at the last point stays within the memory.
 inline Array<glm::vec3> paddedPoints(size_t n)
 {

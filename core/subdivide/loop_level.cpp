@@ -43,10 +43,10 @@ LoopLevel LoopLevel::refined(bool last) const
     LoopLevel n;
     const uint32_t v = uint32_t(vertices), e2 = 2 * uint32_t(edges.size());
     n.vertices = vertices + edges.size();
-    n.vertex = lanes::largeArray<uint32_t>(4 * vertex.size());
+    n.vertex = largeArray<uint32_t>(4 * vertex.size());
     if (!last) {
-        n.half = lanes::largeArray<uint32_t>(4 * vertex.size());
-        n.edges = lanes::largeArray<Edge>(2 * edges.size() + vertex.size());
+        n.half = largeArray<uint32_t>(4 * vertex.size());
+        n.edges = largeArray<Edge>(2 * edges.size() + vertex.size());
         n.irregular = irregular;
         n.fixed = fixed;
         n.sharp = faded(sharp);

@@ -6,10 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/subdivide/carried.h"
 #include "core/subdivide/catmull_level.h"
 #include "core/subdivide/edge_rings.h"
-#include "core/subdivide/remembered.h"
+#include "core/subdivide/refinement.h"
 
 namespace mw {
 
@@ -29,14 +28,6 @@ Origins originsOf(const CatmullLevel& level, Creases creases)
 double resultFaces(const Mesh& mesh, int64_t levels)
 {
     return double(mesh.cornerCount()) * std::pow(4.0, double(levels - 1));
-}
-
-/// The last level gives its arrays away.
-Mesh meshOf(CatmullLevel& level, Array<glm::vec3>& places, bool last)
-{
-    Array<uint32_t> start = lanes::evenStarts(level.faces(), 4);
-    if (last) return Mesh(std::move(places), std::move(start), std::move(level.vertex));
-    return Mesh(places, std::move(start), level.vertex);
 }
 
 /// The tables of all levels, with the last result.
@@ -86,35 +77,6 @@ private:
     std::vector<const SharpVertex*> rule_;
 };
 
-/// Texture coordinates that are subdivided themselves.
-struct Texture {
-    CornerSurface surface;
-    CatmullLevel level;
-    Array<glm::vec3> points;
-
-    void refine(bool last)
-    {
-        CatmullPoints next(level, points);
-        next.faces(0, level.faces());
-        next.edges(0, level.edges.size());
-        next.vertices();
-        level = level.refined(last);
-        points = std::move(next.points);
-    }
-};
-
-std::vector<Texture> texturesOf(const Mesh& mesh, const SubdivideCatmullClark& p)
-{
-    std::vector<Texture> out;
-    if (p.uv == Texturing::Linear) return out;
-    for (CornerSurface& s : cornerSurfacesOf(mesh)) {
-        CatmullLevel level = CatmullLevel::of(s.mesh, creaseOf(mesh), true, p.fading ? alwaysSharp : 1.f);
-        Array<glm::vec3> points = lanes::padded(s.mesh.positions());
-        out.push_back({std::move(s), std::move(level), std::move(points)});
-    }
-    return out;
-}
-
 }  // namespace
 
 Generator subdivideCatmullClark(Mesh input, SubdivideCatmullClark parameters, Stage<Mesh>& stage)
@@ -144,12 +106,18 @@ Generator subdivideCatmullClark(Mesh input, SubdivideCatmullClark parameters, St
     checkResultSize(resultFaces(mesh, parameters.levels), "levels=" + std::to_string(parameters.levels));
     stage.show([&mesh] { return mesh; });
     const bool sharpCorners = parameters.corners == SubdivideCatmullClark::Corners::Sharp;
-    CatmullLevel level = CatmullLevel::of(mesh, creaseOf(mesh), sharpCorners, parameters.fading ? alwaysSharp : 1.f);
+    const float lasting = parameters.fading ? alwaysSharp : 1.f;
+    CatmullLevel level = CatmullLevel::of(mesh, creaseOf(mesh), sharpCorners, lasting);
     Array<glm::vec3> places = lanes::padded(mesh.positions());
-    std::vector<CatmullLevel> tables;
-    std::vector<Texture> textures = texturesOf(mesh, parameters);
-    std::vector<Attribute> attributes = mesh.attributes();
-    for (const Texture& t : textures) std::erase_if(attributes, [&t](const Attribute& a) { return a.id() == t.surface.attribute.id(); });
+    Refinement<CatmullLevel> refinement(input, mesh, parameters.uv,
+                                        [&](const Mesh& m) { return CatmullLevel::of(m, creaseOf(mesh), true, lasting); });
+    const auto pointsOf = [](const CatmullLevel& l, const Array<glm::vec3>& points) {
+        CatmullPoints next(l, points);
+        next.faces(0, l.faces());
+        next.edges(0, l.edges.size());
+        next.vertices();
+        return std::move(next.points);
+    };
     const Creases creases = parameters.fading ? Creases::Fading : Creases::Lasting;
     const double share = 1.0 / double(parameters.levels);
 
@@ -215,17 +183,10 @@ Generator subdivideCatmullClark(Mesh input, SubdivideCatmullClark parameters, St
         const bool last = n == parameters.levels;
         CatmullLevel finer = level.refined(last);
         const size_t faces = finer.faces();
-        for (Texture& t : textures) t.refine(last);
-        attributes = carried(attributes, originsOf(level, creases));
+        refinement.refine(originsOf(level, creases), pointsOf, last);
         places = std::move(next.points);
-        if (stage.watched() || last) {
-            Mesh split = meshOf(finer, places, last).withGroupNames(input.groupNames());
-            if (!input.lines().empty()) split = split.withLines(input.lines());
-            mesh = withAttributes(std::move(split), attributes);
-            for (const Texture& t : textures) mesh = mesh.with(cornerValues(t.surface, t.points, t.level.vertex));
-        }
-        level.keepForPoints();
-        if (!stage.watched()) tables.push_back(std::move(level));
+        if (stage.watched() || last) mesh = refinement.mesh(finer, places, 4, last);
+        if (!stage.watched()) refinement.keep(std::move(level));
         level = std::move(finer);
         co_yield Step("split")
             .number("level", double(n))
@@ -233,11 +194,7 @@ Generator subdivideCatmullClark(Mesh input, SubdivideCatmullClark parameters, St
             .number("faces", double(faces))
             .progress(double(n) * share);
     }
-    if (!stage.watched() && mesh.faceCount() > 0) {
-        size_t bytes = mesh.bytes();
-        for (const CatmullLevel& l : tables) bytes += l.bytes();
-        remembered().keep(input, key, mesh, std::move(tables), bytes);
-    }
+    if (!stage.watched() && mesh.faceCount() > 0) refinement.remember(remembered(), key, mesh);
     stage.finish(std::move(mesh));
 }
 

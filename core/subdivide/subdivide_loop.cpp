@@ -5,9 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/subdivide/carried.h"
 #include "core/subdivide/loop_level.h"
-#include "core/subdivide/remembered.h"
+#include "core/subdivide/refinement.h"
 
 namespace mw {
 
@@ -22,14 +21,6 @@ Origins originsOf(const LoopLevel& level, SubdivideLoop::Weights weights, Crease
     o.crease = [cut, creases](const Attribute& a) { return cutCrease(a, cut, creases); };
     o.faces = [cut] { return cutFaces(cut); };
     return o;
-}
-
-/// The last level gives its arrays away.
-Mesh meshOf(LoopLevel& level, Array<glm::vec3>& places, bool last)
-{
-    Array<uint32_t> start = lanes::evenStarts(level.faces(), 3);
-    if (last) return Mesh(std::move(places), std::move(start), std::move(level.vertex));
-    return Mesh(places, std::move(start), level.vertex);
 }
 
 /// The tables of all levels, with the last result.
@@ -61,34 +52,6 @@ struct VertexRule {
     }
 };
 
-/// Texture coordinates that are subdivided themselves.
-struct Texture {
-    CornerSurface surface;
-    LoopLevel level;
-    Array<glm::vec3> points;
-
-    void refine(SubdivideLoop::Weights weights, bool last)
-    {
-        LoopPoints next(level, points, weights);
-        next.edges(0, level.edges.size());
-        next.vertices();
-        level = level.refined(last);
-        points = std::move(next.points);
-    }
-};
-
-std::vector<Texture> texturesOf(const Mesh& mesh, const SubdivideLoop& p)
-{
-    std::vector<Texture> out;
-    if (p.uv == Texturing::Linear) return out;
-    for (CornerSurface& s : cornerSurfacesOf(mesh)) {
-        LoopLevel level = LoopLevel::of(s.mesh, creaseOf(mesh), SubdivideLoop::Corners::Sharp, p.fading ? alwaysSharp : 1.f);
-        Array<glm::vec3> points = lanes::padded(s.mesh.positions());
-        out.push_back({std::move(s), std::move(level), std::move(points)});
-    }
-    return out;
-}
-
 }  // namespace
 
 Generator subdivideLoop(Mesh input, SubdivideLoop parameters, Stage<Mesh>& stage)
@@ -113,12 +76,17 @@ Generator subdivideLoop(Mesh input, SubdivideLoop parameters, Stage<Mesh>& stage
     Mesh mesh = asTriangles(input);
     checkResultSize(double(mesh.faceCount()) * std::pow(4.0, double(parameters.levels)), "levels=" + std::to_string(parameters.levels));
     stage.show([&mesh] { return mesh; });
-    LoopLevel level = LoopLevel::of(mesh, creaseOf(mesh), parameters.corners, parameters.fading ? alwaysSharp : 1.f);
+    const float lasting = parameters.fading ? alwaysSharp : 1.f;
+    LoopLevel level = LoopLevel::of(mesh, creaseOf(mesh), parameters.corners, lasting);
     Array<glm::vec3> places = lanes::padded(mesh.positions());
-    std::vector<LoopLevel> tables;
-    std::vector<Texture> textures = texturesOf(mesh, parameters);
-    std::vector<Attribute> attributes = mesh.attributes();
-    for (const Texture& t : textures) std::erase_if(attributes, [&t](const Attribute& a) { return a.id() == t.surface.attribute.id(); });
+    Refinement<LoopLevel> refinement(input, mesh, parameters.uv,
+                                     [&](const Mesh& m) { return LoopLevel::of(m, creaseOf(mesh), SubdivideLoop::Corners::Sharp, lasting); });
+    const auto pointsOf = [weights = parameters.weights](const LoopLevel& l, const Array<glm::vec3>& points) {
+        LoopPoints next(l, points, weights);
+        next.edges(0, l.edges.size());
+        next.vertices();
+        return std::move(next.points);
+    };
     const Creases creases = parameters.fading ? Creases::Fading : Creases::Lasting;
     const double share = 1.0 / double(parameters.levels);
 
@@ -183,17 +151,10 @@ Generator subdivideLoop(Mesh input, SubdivideLoop parameters, Stage<Mesh>& stage
         const bool last = n == parameters.levels;
         LoopLevel finer = level.refined(last);
         const size_t faces = finer.faces();
-        for (Texture& t : textures) t.refine(parameters.weights, last);
-        attributes = carried(attributes, originsOf(level, parameters.weights, creases));
+        refinement.refine(originsOf(level, parameters.weights, creases), pointsOf, last);
         places = std::move(next.points);
-        if (stage.watched() || last) {
-            Mesh split = meshOf(finer, places, last).withGroupNames(input.groupNames());
-            if (!input.lines().empty()) split = split.withLines(input.lines());
-            mesh = withAttributes(std::move(split), attributes);
-            for (const Texture& t : textures) mesh = mesh.with(cornerValues(t.surface, t.points, t.level.vertex));
-        }
-        level.keepForPoints();
-        if (!stage.watched()) tables.push_back(std::move(level));
+        if (stage.watched() || last) mesh = refinement.mesh(finer, places, 3, last);
+        if (!stage.watched()) refinement.keep(std::move(level));
         level = std::move(finer);
         co_yield Step("split")
             .number("level", double(n))
@@ -201,11 +162,7 @@ Generator subdivideLoop(Mesh input, SubdivideLoop parameters, Stage<Mesh>& stage
             .number("faces", double(faces))
             .progress(double(n) * share);
     }
-    if (!stage.watched() && input.isTriangles()) {
-        size_t bytes = mesh.bytes();
-        for (const LoopLevel& l : tables) bytes += l.bytes();
-        remembered().keep(input, key, mesh, std::move(tables), bytes);
-    }
+    if (!stage.watched() && input.isTriangles()) refinement.remember(remembered(), key, mesh);
     stage.finish(std::move(mesh));
 }
 

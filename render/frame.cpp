@@ -1,8 +1,12 @@
 // From a scene to what is drawn of it, and the range of a heat map.
 #include <algorithm>
 #include <cmath>
+#include <list>
+#include <memory>
+#include <mutex>
 #include <set>
 
+#include "core/character/skin.h"
 #include "render/bones.h"
 #include "render/posing.h"
 
@@ -37,6 +41,37 @@ void addCorners(CameraFit& fit, const Bounds& b, const glm::dmat4& worldFromLoca
         fit.add(glm::dvec3(worldFromLocal * glm::dvec4(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z, 1)));
 }
 
+/// With the colours of the morph targets in use. Kept by the arrays they are made of, as every frame asks and new ones would be sent to the
+/// graphics card each time.
+Mesh colored(const Mesh& mesh, const MeshPose& pose)
+{
+    constexpr size_t most = 8;
+    struct Entry {
+        std::vector<const void*> arrays;
+        std::weak_ptr<const void> owner;
+        std::vector<float> weights;
+        Attribute color;
+    };
+    static std::mutex mutex;
+    static std::list<Entry> kept;
+    std::vector<const void*> arrays;
+    bool any = false;
+    for (const Attribute& a : mesh.attributes()) {
+        arrays.push_back(a.id());
+        any |= a.name.starts_with("morph-color:");
+    }
+    if (!any || pose.morphWeights.empty()) return mesh;
+    const std::lock_guard lock(mutex);
+    std::erase_if(kept, [](const Entry& e) { return e.owner.expired(); });
+    for (const Entry& e : kept)
+        if (e.arrays == arrays && e.weights == pose.morphWeights) return mesh.with(e.color);
+    const std::optional<Attribute> color = posedColor(mesh, pose);
+    if (!color) return mesh;
+    kept.push_front({std::move(arrays), mesh.positions().owner(), pose.morphWeights, *color});
+    if (kept.size() > most) kept.pop_back();
+    return mesh.with(*color);
+}
+
 }  // namespace
 
 Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown, const ScenePose& pose)
@@ -62,6 +97,7 @@ Frame frameOf(const Scene& scene, const std::function<Mesh(MeshId)>& shown, cons
         DrawObject o = drawn(scene, id, *object);
         o.mesh = shown(node.mesh);
         o.pose = meshPose(scene, id, o.mesh, pose, worlds);
+        if (o.pose) o.mesh = colored(o.mesh, *o.pose);
         o.worldFromLocal = worldFromMesh(scene, id, worlds);
         frame.objects.push_back(std::move(o));
     }

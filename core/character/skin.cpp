@@ -21,19 +21,23 @@ void inParallel(size_t n, const Body& body)
 }
 
 /// to += sum of weight times displacement over the attributes PREFIX + NAME of the targets that count.
-void addMorphs(const Mesh& mesh, const MeshPose& pose, const std::string& prefix, Domain domain, std::span<float> to)
+/// True when any does.
+bool addMorphs(const Mesh& mesh, const MeshPose& pose, const std::string& prefix, Domain domain, std::span<float> to)
 {
     size_t target = 0;
+    bool any = false;
     for (const Attribute& a : mesh.attributes()) {
         if (a.domain != Domain::Vertex || !a.name.starts_with(names::morph)) continue;
         const float weight = target < pose.morphWeights.size() ? pose.morphWeights[target] : 0.f;
         ++target;
         if (weight == 0) continue;
         const Attribute* moved = mesh.find(prefix + a.name.substr(names::morph.size()), domain);
-        if (!moved || moved->components != 3 || moved->floats().size() != to.size()) continue;
+        if (!moved || moved->floats().size() != to.size()) continue;
         const float* d = moved->floats().data();
         inParallel(to.size(), [&](size_t i) { to[i] += weight * d[i]; });
+        any = true;
     }
+    return any;
 }
 
 /// Four floats that the processor treats as one: a column of a matrix.
@@ -186,12 +190,24 @@ Shared<glm::vec3> posedPositions(const Mesh& rest, const MeshPose& pose)
     return moved(rest, pose, Blend(rest, pose));
 }
 
+std::optional<Attribute> posedColor(const Mesh& rest, const MeshPose& pose)
+{
+    const Attribute* color = rest.find(names::color, Domain::Corner);
+    if (!color) color = rest.find(names::color, Domain::Vertex);
+    if (!color || color->floats().empty() || pose.morphWeights.empty()) return {};
+    Array<float> values(color->floats().begin(), color->floats().end());
+    if (!addMorphs(rest, pose, "morph-color:", color->domain, values)) return {};
+    for (float& v : values) v = std::clamp(v, 0.f, 1.f);
+    return floatAttribute(color->name, color->domain, color->components, std::move(values));
+}
+
 Mesh posed(const Mesh& rest, const MeshPose& pose)
 {
     const Blend blend(rest, pose);
     Mesh out = rest.withPositions(moved(rest, pose, blend));
     for (const Attribute& a : rest.attributes())
         if (isTurned(a)) out = out.with(turned(rest, a, pose, blend));
+    if (std::optional<Attribute> color = posedColor(rest, pose)) out = out.with(std::move(*color));
     return out;
 }
 

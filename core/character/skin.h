@@ -2,6 +2,7 @@
 #pragma once
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,10 @@ struct MeshPose {
 };
 
 /// Morphed, then skinned: v' = (sum w_j J_j) v (7.11); normals (vertex or corner attributes) by the inverse transpose of the blended matrix,
-/// then unit. Attributes joints, weights and morph:* stay. Vertices without weights stay where the mesh has them.
+/// then unit; colours by their morphs. Attributes joints, weights and morph:* stay. Vertices without weights stay where the mesh has them.
 Mesh posed(const Mesh& rest, const MeshPose& pose);
+/// "color" plus the weights times "morph-color:NAME", 0 to 1; null when no target in use has one of the same kind.
+std::optional<Attribute> posedColor(const Mesh& rest, const MeshPose& pose);
 /// The positions of posed() alone: for picking and framing, which need no normals.
 Shared<glm::vec3> posedPositions(const Mesh& rest, const MeshPose& pose);
 

@@ -297,13 +297,13 @@ void MeshReader::readTargets(const Primitive& p)
     for (size_t t = 0; t < targets->size(); ++t) {
         const JsonPlace target = (*targets)[t];
         for (const auto& item : target.value().items()) {
-            const bool position = item.key() == "POSITION";
-            if (!position && item.key() != "NORMAL") {
+            const bool position = item.key() == "POSITION", color = item.key() == "COLOR_0";
+            if (!position && !color && item.key() != "NORMAL") {
                 warn("morph-attribute", target.pointer() + ": \"" + item.key().substr(0, 40) + "\" of morph targets was left out");
                 continue;
             }
             const GltfAccessor& a = accessorAt(target[item.key().c_str()]);
-            auto* s = stream(p, (position ? "morph:" : "morph-normal:") + targets_[t], a, 3, 3);
+            auto* s = stream(p, (position ? "morph:" : color ? "morph-color:" : "morph-normal:") + targets_[t], a, 3, color ? 4 : 3);
             if (!s) continue;
             s->ofVertex = position;
             take(p, *s, a);

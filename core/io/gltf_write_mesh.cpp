@@ -134,6 +134,9 @@ void MeshWriter::addTargets()
         addSource(a.name, a, 3);
         targetNames_.push_back(name);
         if (const Attribute* n = either("morph-normal:" + name); n && n->components == 3) addSource(n->name, *n, 3);
+        if (const Attribute* c = either("morph-color:" + name), *own = either(std::string(names::color));
+            c && own && c->components == own->components)
+            addSource(c->name, *c, c->components);
     }
 }
 
@@ -298,12 +301,20 @@ json MeshWriter::primitive(const GltfSplit& s, const GltfSlot& slot, int mode)
 json MeshWriter::targets(const GltfSplit& s, bool withNormals)
 {
     // Only if every target has them: programs expect the same of all.
-    withNormals =
-        withNormals && std::all_of(targetNames_.begin(), targetNames_.end(), [&](const std::string& n) { return source("morph-normal:" + n); });
+    const auto allHave = [&](const char* prefix) {
+        return std::all_of(targetNames_.begin(), targetNames_.end(), [&](const std::string& n) {
+            const GltfSource* from = source(prefix + n);
+            return from && usable(s, *from);
+        });
+    };
+    withNormals = withNormals && allHave("morph-normal:");
+    const bool withColors = allHave("morph-color:") && source("COLOR_0") && usable(s, *source("COLOR_0"));
     json all = json::array();
     for (const std::string& name : targetNames_) {
         json target{{"POSITION", addFloats(values(s, *source(std::string(names::morph) + name)), 3, true)}};
         if (withNormals) target["NORMAL"] = addFloats(values(s, *source("morph-normal:" + name)), 3);
+        if (const GltfSource* color = withColors ? source("morph-color:" + name) : nullptr)
+            target["COLOR_0"] = addFloats(values(s, *color), color->components);
         all.push_back(std::move(target));
     }
     return all;

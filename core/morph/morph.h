@@ -16,8 +16,9 @@ namespace mw {
 /// that both ends are exact (core/morph/overlay.h): projective sees both from a point that sees all of each; spherical spreads two closed meshes
 /// without holes over the sphere, barycentric two disks over one convex region. auto takes the first of these that fits and says why when none does.
 ///
-/// Overlays make triangles. Attributes of the input are interpolated on its surface, faces keep those of the face they are cut from; those of the
-/// other mesh are left. Vertices that belong to no face are left out. O((n + k) log n) for n triangles and k crossings.
+/// Overlays make triangles. Attributes of the input are interpolated on its surface, faces keep those of the face they are cut from. Of the other
+/// mesh the colours come along: "morph-color:NAME" is what they differ by from the input's (white where it has none). Vertices that belong to no
+/// face are left out. O((n + k) log n) for n triangles and k crossings.
 struct Morph {
     enum class Method { Auto, CylinderTorus, SphereTorus, Projective, Barycentric, Corresponding, Spherical };
     enum class Align { Automatic, None };

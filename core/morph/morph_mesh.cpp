@@ -35,13 +35,13 @@ Stencils vertexRows(const Overlay& o, int in, const MorphMesh& first)
     return rows;
 }
 
-Stencils cornerRows(const Overlay& o, const MorphMesh& first)
+Stencils cornerRows(const Overlay& o, int in, const MorphMesh& mesh)
 {
     Stencils rows;
     for (size_t c = 0; c < o.corners().size(); ++c) {
-        const uint32_t f = o.triangleOf(0, c / 3);
-        const glm::dvec3 w = o.weightsIn(0, f, o.corners()[c]);
-        for (uint32_t k = 0; k < 3; ++k) addMix(rows, first.cornerOf[3 * f + k], w[int(k)]);
+        const uint32_t f = o.triangleOf(in, c / 3);
+        const glm::dvec3 w = o.weightsIn(in, f, o.corners()[c]);
+        for (uint32_t k = 0; k < 3; ++k) addMix(rows, mesh.cornerOf[3 * f + k], w[int(k)]);
         rows.endRow();
     }
     return rows;
@@ -71,7 +71,7 @@ Mesh withAttributes(Mesh out, const Overlay& o, const MorphMesh& first)
     const std::vector<Attribute>& attributes = first.source.attributes();
     const auto has = [&](Domain d) { return std::any_of(attributes.begin(), attributes.end(), [d](const Attribute& a) { return a.domain == d; }); };
     const Stencils vertices = has(Domain::Vertex) ? vertexRows(o, 0, first) : Stencils();
-    const Stencils corners = has(Domain::Corner) ? cornerRows(o, first) : Stencils();
+    const Stencils corners = has(Domain::Corner) ? cornerRows(o, 0, first) : Stencils();
     std::vector<uint32_t> faces;
     for (size_t f = 0; has(Domain::Face) && f < out.faceCount(); ++f) faces.push_back(first.faceOf[o.triangleOf(0, f)]);
     const Attribute *joints = first.source.find(names::joints, Domain::Vertex), *skin = first.source.find(names::weights, Domain::Vertex);
@@ -146,6 +146,13 @@ Array<float> displacement(const Overlay& overlay)
         for (int k = 0; k < 3; ++k) out[3 * v + uint32_t(k)] = float(d[k]);
     }
     return out;
+}
+
+std::optional<Attribute> colorOn(const Overlay& overlay, int in, const MorphMesh& mesh)
+{
+    const Attribute* color = colorOf(mesh.source);
+    if (!color) return {};
+    return blended(*color, color->domain == Domain::Corner ? cornerRows(overlay, in, mesh) : vertexRows(overlay, in, mesh));
 }
 
 Mesh morphed(const Overlay& overlay, const MorphMesh& first, const std::string& name)

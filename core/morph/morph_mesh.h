@@ -1,5 +1,6 @@
 // A mesh made ready to be overlaid: triangles without loose vertices, and where each of its elements comes from.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -31,6 +32,8 @@ Attribute carriedVertexAttribute(const Overlay& overlay, int in, const MorphMesh
 Mesh overlaid(const Overlay& overlay, const MorphMesh& first);
 /// From there to the places of the second, three numbers a vertex.
 Array<float> displacement(const Overlay& overlay);
+/// The colours of mesh `in` on the overlay, by vertex or corner; null when its source has none.
+std::optional<Attribute> colorOn(const Overlay& overlay, int in, const MorphMesh& mesh);
 /// Both, the second as the target `name`.
 Mesh morphed(const Overlay& overlay, const MorphMesh& first, const std::string& name);
 

@@ -150,6 +150,10 @@ Generator overlayMorph(Mesh input, Morph parameters, Stage<Mesh>& stage)
     Mesh result = overlaid(overlay, maps.meshes[0]);
     if (!stage.watched()) co_yield Step("triangles").progress(0.95);
     result = withTarget(result, name, displacement(overlay));
+    if (const std::optional<Attribute> color = colorOn(overlay, 1, maps.meshes[1])) {
+        if (!stage.watched()) co_yield Step("triangles").progress(0.97);
+        result = withTargetColor(result, *color);
+    }
     if (stage.watched()) {
         stage.show([&shown] { return shown; });
         for (int i = 0; i <= 8; ++i) {
@@ -172,6 +176,7 @@ Generator correspondingMorph(Mesh input, Morph parameters, Stage<Mesh>& stage)
     for (size_t v = 0; v < std::min(input.vertexCount(), other.vertexCount()); ++v)
         for (int k = 0; k < 3; ++k) displacement[3 * v + size_t(k)] = float(double(other.positions()[v][k]) - double(input.positions()[v][k]));
     Mesh result = withTarget(input, targetName(parameters.other.name), std::move(displacement));
+    if (const Attribute* color = colorOf(other); color && color->size() == input.count(color->domain)) result = withTargetColor(result, *color);
     if (stage.watched()) {
         Mesh shown;
         stage.show([&shown] { return shown; });

@@ -182,7 +182,8 @@ Mesh still(Mesh mesh)
 {
     std::vector<std::string> moving;
     for (const Attribute& a : mesh.attributes())
-        if (a.name == names::joints || a.name == names::weights || a.name.starts_with(names::morph) || a.name.starts_with("morph-normal:"))
+        if (a.name == names::joints || a.name == names::weights || a.name.starts_with(names::morph) || a.name.starts_with("morph-normal:") ||
+            a.name.starts_with("morph-color:"))
             moving.push_back(a.name);
     for (const std::string& name : moving) mesh = mesh.without(name);
     return mesh;

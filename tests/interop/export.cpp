@@ -32,6 +32,15 @@ Scene oddAttributes()
     return sceneWith(m, "odd \"attributes\"");
 }
 
+// Colours of morph targets over colours of bytes.
+Scene morphedColours(int components)
+{
+    const Mesh m = withArray(test::sheet(3), "color", Domain::Corner, components, 0.5f);
+    Attribute own = *m.find("color");
+    own.stored = Scalar::UInt8;
+    return sceneWith(withArray(withArray(m.with(own), "morph:a", Domain::Vertex, 3, 1), "morph-color:a", Domain::Corner, components, -0.5f));
+}
+
 Scene byteColours(int components)
 {
     Mesh m = test::sheet(3);
@@ -158,6 +167,8 @@ void generated(const std::filesystem::path& folder)
     both(oddAttributes(), folder, "odd_attributes");
     both(byteColours(3), folder, "bytes3");
     both(byteColours(4), folder, "bytes4");
+    both(morphedColours(3), folder, "morphed_colours3");
+    both(morphedColours(4), folder, "morphed_colours4");
     both(looseThings(true), folder, "loose");
     both(looseThings(false), folder, "cloud");
     both(oddMaterials(), folder, "odd_materials");

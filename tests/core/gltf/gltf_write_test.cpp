@@ -141,6 +141,25 @@ TEST(GltfWrite, MorphTargetsComeBack)
     EXPECT_TRUE(std::equal(move.begin(), move.end(), a->floats().begin(), a->floats().end()));
 }
 
+TEST(GltfWrite, ColoursOfMorphTargetsComeBack)
+{
+    for (const int k : {3, 4}) {
+        Mesh m = test::sheet(2);
+        const size_t n = m.vertexCount();
+        m = m.with(floatAttribute("color", Domain::Vertex, k, Array<float>(size_t(k) * n, 0.25f)));
+        m = m.with(floatAttribute("morph:red", Domain::Vertex, 3, Array<float>(3 * n, 1.f)));
+        m = m.with(floatAttribute("morph-color:red", Domain::Vertex, k, Array<float>(size_t(k) * n, -0.125f)));
+        const Mesh back = onlyMesh(again(test::sceneWith(m)).scene).base;
+        const Attribute* a = back.find("morph-color:red");
+        ASSERT_TRUE(a);
+        EXPECT_EQ(a->components, k);
+        for (size_t i = 0; i < a->size(); ++i) EXPECT_EQ(a->at(i, 0), -0.125);
+        // Two targets of which one has colours: none is written, as programs expect the same of all.
+        const Mesh two = m.with(floatAttribute("morph:other", Domain::Vertex, 3, Array<float>(3 * n, 1.f)));
+        EXPECT_FALSE(onlyMesh(again(test::sceneWith(two)).scene).base.find("morph-color:red"));
+    }
+}
+
 TEST(GltfWrite, LoosePointsAndLines)
 {
     const Mesh m = test::sheet(1);

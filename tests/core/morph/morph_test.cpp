@@ -7,6 +7,7 @@
 
 #include "core/catalog/lesson.h"
 #include "core/catalog/others.h"
+#include "core/character/skin.h"
 #include "core/io/io.h"
 #include "core/mesh/topology.h"
 #include "core/morph/parametric_morph.h"
@@ -151,6 +152,58 @@ TEST(Morph, KeepsTargetsThatAreThere)
     const Mesh same = morphedBy(morphedBy(a, "other=box"), "other=box");
     EXPECT_TRUE(same.find("morph:box"));
     EXPECT_TRUE(same.find("morph:box 2"));
+}
+
+/// Red, green and blue by x, y and z: linear, so that places between the vertices have theirs, too.
+glm::dvec3 colourAt(const glm::dvec3& p)
+{
+    return 0.5 + 0.2 * p;
+}
+
+Mesh coloured(const Mesh& mesh, Domain domain)
+{
+    Array<float> c;
+    for (size_t i = 0; i < mesh.count(domain); ++i) {
+        const glm::dvec3 colour = colourAt(glm::dvec3(mesh.positions()[domain == Domain::Corner ? mesh.cornerVertex()[i] : i]));
+        for (int k = 0; k < 3; ++k) c.push_back(float(colour[k]));
+    }
+    return mesh.with(floatAttribute("color", domain, 3, std::move(c)));
+}
+
+/// At weight t every element has the colour of its place there, or white where the mesh of that end had none.
+void expectColours(const Mesh& m, double t, bool white)
+{
+    MeshPose pose;
+    pose.morphWeights = {float(t)};
+    const Mesh there = posed(m, pose);
+    const Attribute* c = there.find("color");
+    ASSERT_TRUE(c);
+    for (size_t i = 0; i < c->size(); ++i) {
+        const glm::dvec3 want =
+            white ? glm::dvec3(1) : colourAt(glm::dvec3(there.positions()[c->domain == Domain::Corner ? there.cornerVertex()[i] : i]));
+        for (int k = 0; k < 3; ++k) ASSERT_NEAR(c->at(i, k), want[k], 1e-5);
+    }
+}
+
+TEST(Morph, ColoursOfBothEnds)
+{
+    const Mesh box = *meshOfSource("box"), ball = *meshOfSource("icosphere:subdivisions=1"),
+               other = *meshOfSource("icosphere:subdivisions=1,radius=2");
+    for (const Domain d : {Domain::Vertex, Domain::Corner}) {
+        const Mesh both = morphedBy(coloured(box, Domain::Vertex), "other=x", coloured(ball, d));
+        EXPECT_EQ(both.find("color")->domain, d);
+        expectColours(both, 0, false);
+        expectColours(both, 1, false);
+        const Mesh second = morphedBy(box, "other=x", coloured(ball, d));
+        expectColours(second, 0, true);
+        expectColours(second, 1, false);
+        const Mesh same = morphedBy(coloured(ball, Domain::Corner), "other=x", coloured(other, d));
+        expectColours(same, 0, false);
+        expectColours(same, 1, false);
+    }
+    const Mesh first = morphedBy(coloured(box, Domain::Vertex), "other=x", ball);
+    expectColours(first, 0, false);
+    EXPECT_FALSE(first.find("morph-color:x"));
 }
 
 TEST(Morph, SaysWhyNothingFits)

@@ -196,6 +196,14 @@ void Parser::vertices()
 
 inline uint32_t Parser::index()
 {
+    // Nearly always a blank or the end of the line before, then a few digits.
+    const char* first = p_ + endsToken(*p_);
+    uint32_t plain = 0;
+    if (const int digits = detail::upToEightDigits(first, plain); digits > 0 && digits < 8 && endsToken(first[digits])) {
+        line_ += *p_ == '\n';
+        p_ = first + digits;
+        return plain;
+    }
     if (!skip())
         fail("the file ends within face " + std::to_string(face_) + " of " + std::to_string(faceCount_) +
              ", counted from 0; copy or export it again");

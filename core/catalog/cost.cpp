@@ -50,10 +50,13 @@ Estimate subdivision(const Operation& op, double n, const ParameterValues& value
 {
     const double parts = numberOf(op, values, "n", 2), factor = op.id == "subdivide-sqrt3" ? 3 : parts * parts;
     const double out = n * std::pow(factor, std::clamp(numberOf(op, values, "levels", 1), 1.0, 12.0));
+    // A face of the result, and one of the input where its edges are found first.
+    if (op.id == "subdivide-loop") return {130 * n + 24 * (out - n), out, 36 * out};
+    if (op.id == "subdivide-catmull-clark") return {130 * n + 45 * (out - n), out, 36 * out};
     static const std::map<std::string, double> perFace{
-        {"split-dyadic", 130}, {"split-nadic", 260}, {"subdivide-butterfly", 120}, {"subdivide-catmull-clark", 60}, {"subdivide-sqrt3", 130}};
+        {"split-dyadic", 80}, {"split-nadic", 260}, {"subdivide-butterfly", 300}, {"subdivide-sqrt3", 160}};
     const auto known = perFace.find(op.id);
-    return {(known == perFace.end() ? 55 : known->second) * (out - n) * factor / (factor - 1), out, 36 * out};
+    return {(known == perFace.end() ? 100 : known->second) * (out - n) * factor / (factor - 1), out, 60 * out};
 }
 
 Estimate smoothing(const Operation& op, double n, const ParameterValues& values)
@@ -65,14 +68,22 @@ Estimate smoothing(const Operation& op, double n, const ParameterValues& values)
 // Factors of n^1.5 operations; sweeps go on until they settle, which takes the more of them the larger the mesh.
 Estimate planarEmbedding(const Operation& op, double n, const ParameterValues& values)
 {
-    if (chosen(op, values, "solver", "direct")) return {n * (600 + 2 * std::sqrt(n)), n, 1200 * n};
+    if (chosen(op, values, "solver", "direct")) return {n * (700 + 0.7 * std::sqrt(n)), n, 800 * n};
     const double sweeps = std::min(numberOf(op, values, "iterations", 10000), 0.4 * n);
     return {n * (300 + 10 * sweeps), n, 250 * n};
 }
 
 Estimate sphericalEmbedding(const Operation& op, double n, const ParameterValues& values)
 {
-    return {n * (2500 + 50 * numberOf(op, values, "iterations", 50)), n, 400 * n};
+    return {n * (3300 + 60 * numberOf(op, values, "iterations", 50)), n, 400 * n};
+}
+
+// An overlay of two meshes of about the same size has some four to five times as many faces; the others keep theirs.
+Estimate morphing(const Operation& op, double n, const ParameterValues& values)
+{
+    for (const char* method : {"corresponding", "cylinder-torus", "sphere-torus"})
+        if (chosen(op, values, "method", method)) return {200 * n, n, 100 * n};
+    return {18000 * n, 4.5 * n, 1400 * n};
 }
 
 Estimate estimate(const Operation& op, double n, const ParameterValues& values)
@@ -82,9 +93,10 @@ Estimate estimate(const Operation& op, double n, const ParameterValues& values)
     if (op.id == "smooth") return smoothing(op, n, values);
     if (op.id == "embed-planar") return planarEmbedding(op, n, values);
     if (op.id == "embed-spherical") return sphericalEmbedding(op, n, values);
-    static const std::map<std::string, double> perFace{
-        {"weld", 80},     {"repair", 340},  {"orient", 190},  {"fill-holes", 350},         {"normalise", 3},
-        {"reorder", 200}, {"morph", 25000}, {"normals", 150}, {"decimate-vertices", 2500}, {"cut", 800}};
+    if (op.id == "morph") return morphing(op, n, values);
+    static const std::map<std::string, double> perFace{{"weld", 80},     {"repair", 340},  {"orient", 190},  {"fill-holes", 350},
+                                                       {"normalise", 3}, {"reorder", 200}, {"normals", 150}, {"decimate-vertices", 2500},
+                                                       {"cut", 1000}};
     const auto known = perFace.find(op.id);
     return {n * (known == perFace.end() ? 300 : known->second), n, 100 * n};
 }

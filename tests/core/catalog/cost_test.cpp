@@ -24,7 +24,7 @@ TEST(Cost, GrowsWithTheWork)
     EXPECT_EQ(told("decimate-quadric", 100'000, "stop=faces,faces=20000").result.faces, 20'000u);
     // Loop makes four faces of one, at each level.
     EXPECT_EQ(told("subdivide-loop", 1000, "levels=3").result.faces, 64'000u);
-    EXPECT_NEAR(told("subdivide-loop", 1000, "levels=4").seconds / told("subdivide-loop", 1000, "levels=3").seconds, 4, 0.1);
+    EXPECT_NEAR(told("subdivide-loop", 1000, "levels=4").seconds / told("subdivide-loop", 1000, "levels=3").seconds, 4, 0.25);
     EXPECT_NEAR(told("subdivide-loop", 1'000'000, "levels=3").result.bytes, 64 * 22e6, 1);
     // Rounds of smoothing.
     const double ten = told("smooth", 1000, "iterations=100").seconds, twenty = told("smooth", 1000, "iterations=200").seconds;

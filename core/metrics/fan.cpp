@@ -1,6 +1,7 @@
 #include "core/metrics/fan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <utility>
@@ -43,6 +44,25 @@ Array<FaceMeasure> faceMeasuresOf(const Mesh& mesh)
         if (length > 0) out[cut.faces[first]] = {normal / length, length, centroid / area};
     }
     return out;
+}
+
+std::vector<uint32_t> facesAt(const Mesh& mesh, const Array<uint32_t>& faceOf, uint32_t vertex)
+{
+    std::vector<uint32_t> faces;
+    for (const uint32_t c : mesh.rings().cornersOf(vertex)) faces.push_back(faceOf[c]);
+    return faces;
+}
+
+decltype(Table::summary) summaryOfMeasured(const Array<double>& values)
+{
+    double measured = 0, sum = 0, greatest = 0;
+    for (const double v : values) {
+        if (std::isnan(v)) continue;
+        measured += 1;
+        sum += v;
+        greatest = std::max(greatest, v);
+    }
+    return {{"measured", measured}, {"mean", measured > 0 ? sum / measured : 0}, {"greatest", greatest}};
 }
 
 namespace {

@@ -7,6 +7,7 @@
 
 #include "core/mesh/connectivity.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/table.h"
 
 namespace mw {
 
@@ -39,6 +40,12 @@ private:
     glm::dvec3 normal_{0}, point_{0};
     double area_ = 0;
 };
+
+/// The faces at a vertex, in the order of its corners. `faceOf`: cornerFacesOf(mesh).
+std::vector<uint32_t> facesAt(const Mesh& mesh, const Array<uint32_t>& faceOf, uint32_t vertex);
+
+/// For a table's summary, of the values that are numbers: how many, "mean" and "greatest".
+decltype(Table::summary) summaryOfMeasured(const Array<double>& values);
 
 /// (3.5): distance of v from the line through its two neighbours on the border; from them where they are one place.
 inline double distanceToLine(const glm::dvec3& v, const glm::dvec3& p, const glm::dvec3& q)

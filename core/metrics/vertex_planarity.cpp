@@ -22,10 +22,9 @@ public:
         table.columns = {{"d / longest edge", "", Array<double>(mesh.vertexCount(), undefined), false},
                          {"d", "", Array<double>(mesh.vertexCount(), undefined), false}};
     }
-    std::vector<uint32_t> facesOf(uint32_t v) const;
+    std::vector<uint32_t> facesOf(uint32_t v) const { return facesAt(mesh_, faceOf_, v); }
     bool inside(uint32_t v) const { return border_.place[v] == BorderNeighbours::Place::Inside; }
     void measure(uint32_t v);
-    void summarise();
 
     Table table;
     double longest = 0, height = 0;  // of the last vertex
@@ -37,13 +36,6 @@ private:
     Array<uint32_t> faceOf_;
     BorderNeighbours border_;
 };
-
-std::vector<uint32_t> Planarity::facesOf(uint32_t v) const
-{
-    std::vector<uint32_t> faces;
-    for (const uint32_t c : mesh_.rings().cornersOf(v)) faces.push_back(faceOf_[c]);
-    return faces;
-}
 
 void Planarity::measure(uint32_t v)
 {
@@ -65,18 +57,6 @@ void Planarity::measure(uint32_t v)
     foot = p - height * normal;
     table.columns[0].values[v] = std::abs(height) / longest;
     table.columns[1].values[v] = std::abs(height);
-}
-
-void Planarity::summarise()
-{
-    double measured = 0, sum = 0, greatest = 0;
-    for (const double c : table.columns[0].values) {
-        if (std::isnan(c)) continue;
-        measured += 1;
-        sum += c;
-        greatest = std::max(greatest, c);
-    }
-    table.summary = {{"measured", measured}, {"mean", measured > 0 ? sum / measured : 0}, {"greatest", greatest}};
 }
 
 }  // namespace
@@ -116,7 +96,7 @@ Generator vertexPlanarity(Mesh input, VertexPlanarity, Stage<Table>& stage)
                 .number("faces", double(faces.size()))
                 .progress(v / all);
     }
-    p.summarise();
+    p.table.summary = summaryOfMeasured(p.table.columns[0].values);
     stage.finish(std::move(p.table));
 }
 

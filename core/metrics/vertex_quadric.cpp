@@ -20,8 +20,7 @@ public:
                          {"distance", "", Array<double>(mesh.vertexCount(), undefined), false}};
     }
     bool measure(uint32_t v);
-    void summarise();
-    std::vector<uint32_t> facesOf(uint32_t v) const;
+    std::vector<uint32_t> facesOf(uint32_t v) const { return facesAt(mesh_, faceOf_, v); }
 
     Table table;
     VertexQuadrics quadrics;
@@ -36,13 +35,6 @@ private:
     Array<uint32_t> faceOf_;
     VertexQuadric::At at_;
 };
-
-std::vector<uint32_t> Costs::facesOf(uint32_t v) const
-{
-    std::vector<uint32_t> faces;
-    for (const uint32_t c : mesh_.rings().cornersOf(v)) faces.push_back(faceOf_[c]);
-    return faces;
-}
 
 glm::dvec3 Costs::placeOf(uint32_t v) const
 {
@@ -67,18 +59,6 @@ bool Costs::measure(uint32_t v)
     table.columns[0].values[v] = cost;
     table.columns[1].values[v] = std::sqrt(cost / weight);
     return true;
-}
-
-void Costs::summarise()
-{
-    double measured = 0, sum = 0, greatest = 0;
-    for (const double c : table.columns[0].values) {
-        if (std::isnan(c)) continue;
-        measured += 1;
-        sum += c;
-        greatest = std::max(greatest, c);
-    }
-    table.summary = {{"measured", measured}, {"mean", measured > 0 ? sum / measured : 0}, {"greatest", greatest}};
 }
 
 }  // namespace
@@ -117,7 +97,7 @@ Generator vertexQuadric(Mesh input, VertexQuadric parameters, Stage<Table>& stag
             .number("distance", costs.table.columns[1].values[v])
             .progress(v / all);
     }
-    costs.summarise();
+    costs.table.summary = summaryOfMeasured(costs.table.columns[0].values);
     stage.finish(std::move(costs.table));
 }
 

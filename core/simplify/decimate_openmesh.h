@@ -3,6 +3,7 @@
 // log n.
 #pragma once
 #include "core/mesh/mesh.h"
+#include "core/simplify/kept_triangles.h"
 #include "core/steps/stage.h"
 
 namespace mw {
@@ -19,24 +20,7 @@ struct DecimateOpenMesh {
     void describe(V& v)
     {
         v.choice("stop", stop, {"ratio", "faces"}, {.title = "Stop at", .help = "What ends the simplification."});
-        v.number("ratio", ratio,
-                 {.title = "Ratio",
-                  .help = "Share of the triangles to keep.",
-                  .min = 0,
-                  .max = 1,
-                  .softMin = 0.01,
-                  .softMax = 1,
-                  .logarithmic = true,
-                  .when = "stop=ratio"});
-        v.integer("faces", faces,
-                  {.title = "Faces",
-                   .help = "Number of triangles to keep.",
-                   .min = 0,
-                   .max = 1e9,
-                   .softMin = 100,
-                   .softMax = 1e6,
-                   .logarithmic = true,
-                   .when = "stop=faces"});
+        describeKept(v, ratio, faces);
         v.number("turn", turn,
                  {.title = "Normal turn",
                   .help = "No face may turn by more in one collapse; 180: any may (its module for flipped normals is left out).",

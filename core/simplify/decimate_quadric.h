@@ -9,6 +9,7 @@
 // Attributes of vertices and corners are read off the old surface; faces keep theirs. Time grows as n log n; memory about 350 bytes a triangle.
 #pragma once
 #include "core/mesh/mesh.h"
+#include "core/simplify/kept_triangles.h"
 #include "core/steps/stage.h"
 
 namespace mw {
@@ -37,24 +38,7 @@ struct DecimateQuadric {
                   .help = "textbook: a heap, the cheapest edge of all at each step. fast, balanced: buckets of about equal cost, many times quicker. "
                           "best: afterwards vertices are moved to where the old surface is, twice the time of balanced."});
         v.choice("stop", stop, {"ratio", "faces", "error"}, {.title = "Stop at", .help = "What ends the simplification."});
-        v.number("ratio", ratio,
-                 {.title = "Ratio",
-                  .help = "Share of the triangles to keep.",
-                  .min = 0,
-                  .max = 1,
-                  .softMin = 0.01,
-                  .softMax = 1,
-                  .logarithmic = true,
-                  .when = "stop=ratio"});
-        v.integer("faces", faces,
-                  {.title = "Faces",
-                   .help = "Number of triangles to keep.",
-                   .min = 0,
-                   .max = 1e9,
-                   .softMin = 100,
-                   .softMax = 1e6,
-                   .logarithmic = true,
-                   .when = "stop=faces"});
+        describeKept(v, ratio, faces);
         v.number(
             "error", error,
             {.title = "Error",

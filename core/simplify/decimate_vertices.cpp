@@ -220,7 +220,7 @@ Generator decimateVertices(Mesh input, DecimateVertices parameters, Stage<Mesh>&
                 .progress(r.progress());
         }
         if (!r.fill()) {
-            if (stage.watched() || (r.refused & 1023) == 0)
+            if (stage.watched() || (r.refused & 63) == 0)
                 co_yield Step("refuse")
                     .vertex(mesh.vertexIndex(v), Role::Rejected, "v")
                     .ring(ElementKind::Face, Role::Rejected, shown.faces)
@@ -257,7 +257,7 @@ Generator decimateVertices(Mesh input, DecimateVertices parameters, Stage<Mesh>&
                 .progress(r.progress());
         }
         const double least = r.updateRing();
-        if (stage.watched() || (++removed & 1023) == 0)
+        if (stage.watched() || (++removed & 63) == 0)
             co_yield Step("update")
                 .ring(ElementKind::Vertex, Role::New, shown.ring)
                 .number("changed", double(r.fan.ring.size()))

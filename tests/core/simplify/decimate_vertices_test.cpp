@@ -37,6 +37,19 @@ Counts countsOf(const Mesh& m)
     return {double(m.vertexCount()), double(m.edges().size() / 2), double(m.faceCount())};
 }
 
+// A removal takes up to a millisecond: whoever cancels must not wait for a thousand of them.
+TEST(DecimateVertices, LooksUpOftenWhenNobodyWatches)
+{
+    const Operation& op = operation("decimate-vertices");
+    const Mesh mesh = *meshOfSource("icosphere:subdivisions=5");
+    const auto run = stepping(op, mesh, parsed(op.parameters, "threshold=2,faces=2000"))(false);
+    size_t looks = 0;
+    while (run->advance()) ++looks;
+    const size_t gone = mesh.vertexCount() - std::get<Mesh>(valueOf(run->snapshot())).vertexCount();
+    EXPECT_GT(gone, 5000u);
+    EXPECT_GE(looks, gone / 100);
+}
+
 // Every removal inside takes 1 vertex, 3 edges, 2 faces; every one on the border 1, 2, 1: told by the steps, and true of the mesh that is shown.
 TEST(DecimateVertices, EachRemovalHasItsCounts)
 {

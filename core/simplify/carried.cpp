@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
@@ -37,6 +38,7 @@ SeamTest::SeamTest(const Mesh& mesh, const OldTriangles& triangles) : mesh_(&mes
 // Normals part only where they part visibly: a faceted mesh has no seams.
 bool SeamTest::differ(const Values& v, uint32_t a, uint32_t b) const
 {
+    if (v.floats && std::memcmp(v.floats + a * v.components, v.floats + b * v.components, v.components * sizeof(float)) == 0) return false;
     const auto at = [&](uint32_t c, size_t k) { return v.floats ? double(v.floats[c * v.components + k]) : v.attribute->at(c, int(k)); };
     if (v.normal) {
         double dot = 0, la = 0, lb = 0;
@@ -82,10 +84,13 @@ class NearestOld {
 public:
     explicit NearestOld(size_t places) : best_(places) {}
 
-    void offer(uint32_t place, uint32_t triangle, const glm::dvec3& p, const glm::dvec3 (&corner)[3])
+    /// `reach`: the square of how far the triangle goes from its first corner.
+    void offer(uint32_t place, uint32_t triangle, const glm::dvec3& p, const glm::dvec3 (&corner)[3], double reach)
     {
         Found& b = best_[place];
         if (b.triangle == triangle || b.distance == 0) return;
+        const glm::dvec3 arm = p - corner[0];
+        if (glm::dot(arm, arm) > 2 * (b.distance + reach)) return;  // too far: (x + y)^2 <= 2 (x^2 + y^2)
         const glm::dvec3 w = closestOnTriangle(p, corner[0], corner[1], corner[2]);
         const glm::dvec3 gap = w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2] - p;
         const double d = glm::dot(gap, gap);
@@ -131,12 +136,14 @@ Transfer::Transfer(const Mesh& mesh, const OldTriangles& triangles, const Collap
     for (uint32_t t = 0; t < triangles.size(); ++t) {
         const uint32_t* v = triangles.vertices.data() + 3 * t;
         const glm::dvec3 corner[3] = {glm::dvec3(old[v[0]]), glm::dvec3(old[v[1]]), glm::dvec3(old[v[2]])};
+        const glm::dvec3 side = corner[1] - corner[0], other = corner[2] - corner[0];
+        const double reach = std::max(glm::dot(side, side), glm::dot(other, other));
         for (uint32_t k = 0; k < 3; ++k) {
             const uint32_t root = number[collapsed.into[v[k]]];
             const glm::dvec3 p(collapsed.positions[root]);
-            vertices_.offer(root, t, p, corner);
+            vertices_.offer(root, t, p, corner, reach);
             const uint32_t wedge = collapsed.wedge.empty() ? none : collapsed.wedge[3 * t + k];
-            if (wedge != none) wedges_.offer(wedge, t, p, corner);
+            if (wedge != none) wedges_.offer(wedge, t, p, corner, reach);
         }
     }
 }

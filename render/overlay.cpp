@@ -9,7 +9,7 @@
 namespace mw {
 namespace {
 
-constexpr float legendWidth = 262, legendHeight = 132, margin = 12, pad = 11, markerSize = 78;
+constexpr float legendWidth = 262, legendHeight = 132, barsHeight = 50, sharedHeight = 16, margin = 12, pad = 11, markerSize = 78;
 constexpr size_t legendBars = 20;
 
 const HeatMap* shownHeat(const DrawContext& c)
@@ -202,23 +202,27 @@ void drawLegend(const DrawContext& c, Canvas& canvas)
     const HistogramCache& seen = histogramFor(*h);
     const int font = int(std::lround(13 * px)), small = int(std::lround(12 * px));
     const glm::vec4 text(theme.text, 1), text2(theme.text2, 1);
-    const glm::vec2 low = glm::round(glm::vec2(margin * px, float(c.size.y) - (margin + legendHeight) * px));
-    const glm::vec2 high = low + glm::round(glm::vec2(legendWidth, legendHeight) * px);
+    // One legend for several views has no bars: each view has its own distribution.
+    const bool bars = !h->shared;
+    const float height = legendHeight + (bars ? 0 : sharedHeight - barsHeight);
+    const glm::vec2 low = glm::round(glm::vec2(margin * px, float(c.size.y) - (margin + height) * px));
+    const glm::vec2 high = low + glm::round(glm::vec2(legendWidth, height) * px);
     canvas.box(low, high, glm::vec4(theme.panel, 1), 4 * px, px, glm::vec4(theme.border, 1));
     const float left = low.x + pad * px, right = high.x - pad * px;
     std::string name = column.name;
     if (!column.unit.empty()) name += " (" + column.unit + ")";
     canvas.text({left, low.y + 22 * px}, name, font, text, true);
     canvas.text({right, low.y + 22 * px}, perWhat(h->table->rows), small, text2, false, Canvas::Align::Right);
-    const float barTop = std::round(low.y + 84 * px), barBottom = std::round(low.y + 97 * px);
+    const float barTop = std::round(low.y + (bars ? 84 : 84 - barsHeight) * px), barBottom = barTop + std::round(13 * px);
     if (column.categorical) {
         drawSwatches(canvas, seen, {left, low.y + 34 * px}, {right, low.y + 64 * px}, px, small, text2);
         drawSummary(canvas, *h->table, {left, low.y + 98 * px}, px, int(std::lround(11 * px)), text2);
         return;
     }
-    drawBars(canvas, {left, low.y + 34 * px}, {right, barTop - 2 * px}, seen.bars, glm::vec4(theme.bars, 1), px);
+    if (bars) drawBars(canvas, {left, low.y + 34 * px}, {right, barTop - 2 * px}, seen.bars, glm::vec4(theme.bars, 1), px);
     canvas.colorBar({left, barTop}, {right, barBottom}, heatRow(*h));
     drawTicks(canvas, *h, seen, {left, barBottom}, {right, barBottom + 19 * px}, small, text2);
+    if (!bars) canvas.text({left, barBottom + 38 * px}, "same scale in all views", small, text2);
 }
 
 void drawMarker(const DrawContext& c, Canvas& canvas)

@@ -26,6 +26,7 @@ struct HeatMap {
     std::shared_ptr<const Table> table;
     size_t column = 0;
     double low = 0, high = 1;  ///< the range shown; see heatRange()
+    bool shared = false;       ///< that range is the one of all views side by side; the legend says so
 };
 /// 2nd to 98th percentile, or all when that is empty.
 std::pair<double, double> heatRange(const Column& column);

@@ -121,7 +121,10 @@ void Actions::fill(QMenuBar* bar, QMenu** windowMenu, QMenu** helpMenu)
     toolMenu->addActions(tools);
     toolMenu->addSeparator();
     toolMenu->addActions({localAxes, pivotCentre, copyMeasurement});
-    view->addMenu("Split")->addActions({oneView, split, fourViews, linkCameras, compareBase});
+    view->addMenu("Split")->addActions({oneView, split, fourViews, linkCameras});
+    auto* compare = view->addMenu("Compare");
+    compare->setToolTipsVisible(true);  // why one is off
+    compare->addActions({compareBase, compareVariants});
     view->addMenu("Matcap")->addActions(matcaps);
     auto* light = view->addMenu("Light");
     light->addActions(lights);
@@ -222,6 +225,7 @@ void Actions::refresh()
     for (const auto& [a, flag] : flags_) a->setChecked(s_.view.options.*flag);
     perspective->setChecked(s_.view.camera.perspective);
     compareBase->setEnabled(mesh);
+    refreshCompare();
     split->setChecked(s_.view.views() == 2);
     linkCameras->setChecked(s_.view.linked);
     linkCameras->setEnabled(s_.view.views() > 1);

@@ -27,7 +27,7 @@ struct Actions {
     QAction *reducedMotion, *nextPickKind, *shadows, *checker, *turnLight, *turntable;
     QList<QAction*> lights, matcaps;
     QList<QAction*> themes;
-    QAction *split, *fourViews, *oneView, *linkCameras, *compareBase, *localAxes, *pivotCentre, *copyMeasurement;
+    QAction *split, *fourViews, *oneView, *linkCameras, *compareBase, *compareVariants, *localAxes, *pivotCentre, *copyMeasurement;
     QList<QAction*> pickKinds, shadings, views, tools, addModifiers, addSources, stepThroughs, terrainActions, terrainEdits;
     QList<QAction*> growths, conversions, searches, defects;  ///< of elements: from the selection, to another kind, in the whole mesh
     QMenu* recent = nullptr;
@@ -55,6 +55,7 @@ private:
     void makeView();
     void makeTools();
     void makeViews();
+    void refreshCompare();
     Viewport& viewport() const;  // the active one
     void makeLight();
     void refreshLight();

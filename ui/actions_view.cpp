@@ -7,11 +7,35 @@
 #include "ui/viewport/viewport.h"
 // epoxy comes before Qt's own OpenGL headers
 #include "ui/actions.h"
+#include "ui/shortcuts.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
+#include "ui/variants.h"
 #include "ui/view_area.h"
 
 namespace mw {
+namespace {
+
+const char* const variantsTip =
+    "Linked views with one scale of colours: the result, and the last modifier with other weights or another operation of its kind in place of it";
+
+}  // namespace
+
+void Actions::refreshCompare()
+{
+    const MeshObject* object = s_.document.scene().find(edits::activeMesh(s_.document));
+    const std::optional<size_t> last = object ? lastModifier(*object) : std::nullopt;
+    QString whyNot;
+    if (!object)
+        whyNot = "Select a mesh first";
+    else if (!last)
+        whyNot = "The mesh has no modifier that runs: add one first";
+    else if (variantsOf(object->stack[*last]).empty())
+        whyNot = edits::titleOf(object->stack[*last]) + " has no variants of its kind; a split view's Shows > Variant... compares it with any";
+    compareVariants->setEnabled(whyNot.isEmpty());
+    compareVariants->setProperty("whyNot", whyNot.isEmpty() ? QVariant() : QVariant(whyNot));
+    setTip(compareVariants, whyNot.isEmpty() ? QString(variantsTip) : whyNot);
+}
 
 void Actions::makeView()
 {
@@ -145,6 +169,8 @@ void Actions::makeViews()
     linkCameras->setCheckable(true);
     compareBase = make("Compare base and result", "split", "", "Two linked views: the result on the left, the base mesh on the right",
                        [this] { views_.compareWithBase(edits::activeMesh(s_.document)); });
+    compareVariants =
+        make("Variants of the last modifier", "split", "", variantsTip, [this] { views_.compareVariants(edits::activeMesh(s_.document)); });
     localAxes = make("Local axes", "", "", "Handles along the axes of the node; else along those of the world", [this] {
         s_.view.localAxes = !s_.view.localAxes;
         s_.view.touch();

@@ -4,19 +4,21 @@
 #include <algorithm>
 
 #include "core/catalog/others.h"
+#include "core/mesh/same_mesh.h"
+#include "ui/variants.h"
 
 namespace mw {
 namespace {
 
 constexpr const char* costKey = "evaluation/costs";
 
-bool sameInput(const MeshObject& a, const MeshObject& b)
+}  // namespace
+
+bool sameWork(const MeshObject& a, const MeshObject& b)
 {
-    return a.base.positions().id() == b.base.positions().id() && a.base.cornerVertex().id() == b.base.cornerVertex().id() &&
-           a.base.faceStart().id() == b.base.faceStart().id() && a.base.attributes().size() == b.base.attributes().size() && a.stack == b.stack;
+    return sameMesh(a.base, b.base) && sameAttributes(a.base, b.base) && a.stack == b.stack;
 }
 
-/// It works with other meshes, so that their changes are its own.
 bool refersToOthers(const MeshObject& object)
 {
     return std::any_of(object.stack.begin(), object.stack.end(), [](const Modifier& m) {
@@ -24,8 +26,6 @@ bool refersToOthers(const MeshObject& object)
         return op && needsOthers(*op);
     });
 }
-
-}  // namespace
 
 void warm(const Mesh& mesh)
 {
@@ -37,7 +37,11 @@ void warm(const Mesh& mesh)
 }
 
 EvaluationService::EvaluationService(Document& document, Jobs& jobs, QObject* parent)
-    : QObject(parent), document_(document), jobs_(jobs), evaluator_(std::make_shared<Evaluator>())
+    : QObject(parent),
+      document_(document),
+      jobs_(jobs),
+      evaluator_(std::make_shared<Evaluator>()),
+      variants_(new VariantService(document, jobs, evaluator_, this))
 {
     costs_ = CostRecord::fromText(QSettings().value(costKey).toString().toStdString());
     subscription_ = document_.subscribe([this](const Change& c) { follow(c); });
@@ -55,7 +59,7 @@ void EvaluationService::follow(const Change& change)
     for (MeshId id : document_.scene().meshes()) {
         const auto object = document_.scene().shared(id);
         const auto known = requests_.find(id);
-        if (known != requests_.end() && sameInput(*known->second.object, *object) && !refersToOthers(*object)) continue;
+        if (known != requests_.end() && sameWork(*known->second.object, *object) && !refersToOthers(*object)) continue;
         request(id, object);
     }
 }

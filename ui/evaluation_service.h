@@ -13,6 +13,12 @@ namespace mw {
 
 /// Makes what drawing needs (normals, triangles), so that the window's thread finds it ready.
 void warm(const Mesh& mesh);
+/// The same base and the same modifiers: evaluating one gives what evaluating the other does, where no other mesh comes in.
+bool sameWork(const MeshObject& a, const MeshObject& b);
+/// Some modifier works with other meshes, so that their changes are its own.
+bool refersToOthers(const MeshObject& object);
+
+class VariantService;
 
 class EvaluationService : public QObject {
     Q_OBJECT
@@ -37,6 +43,8 @@ public:
     std::optional<Cost> expected(const Operation& op, MeshSize input, const ParameterValues& values) const;
     /// Knows the results it has made; thread safe. For jobs that write: stacks are then not evaluated again.
     std::shared_ptr<Evaluator> evaluator() const { return evaluator_; }
+    /// Who evaluates what a last modifier is compared with.
+    VariantService& variants() const { return *variants_; }
 
 signals:
     void changed();  ///< began, ended, cancelled, or ten times a second while it runs
@@ -56,6 +64,7 @@ private:
     Document& document_;
     Jobs& jobs_;
     std::shared_ptr<Evaluator> evaluator_;
+    VariantService* variants_;  // a child
     std::map<MeshId, Request> requests_;
     std::shared_ptr<void> subscription_;
     bool paused_ = false;

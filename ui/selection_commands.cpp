@@ -2,6 +2,7 @@
 
 #include <QPointer>
 
+#include "core/mesh/same_mesh.h"
 #include "ui/viewport/frame_builder.h"
 
 namespace mw::selecting {
@@ -25,11 +26,6 @@ void take(Session& s, NodeId node, ElementSet found)
     if (s.view.pickKind == kind) return;
     s.view.pickKind = kind;
     s.view.touch();
-}
-
-bool isSame(const Mesh& a, const Mesh& b)
-{
-    return a.positions().id() == b.positions().id() && a.cornerVertex().id() == b.cornerVertex().id() && a.faceStart().id() == b.faceStart().id();
 }
 
 }  // namespace
@@ -63,7 +59,7 @@ void run(Session& s, const QString& name, Find find)
         return [&s, alive, node, mesh, found] {
             if (!alive) return;
             const Node* n = s.document.scene().find(node);  // it may show another mesh by now
-            if (n && n->mesh && isSame(shownMesh(s, n->mesh), mesh)) take(s, node, std::move(*found));
+            if (n && n->mesh && sameMesh(shownMesh(s, n->mesh), mesh)) take(s, node, std::move(*found));
         };
     });
 }

@@ -1,8 +1,11 @@
 #include "ui/viewport/viewport.h"
 // epoxy comes before Qt's own OpenGL headers
 #include <QGridLayout>
+#include <QTimer>
 #include <QVBoxLayout>
 
+#include "ui/evaluation_service.h"
+#include "ui/variants.h"
 #include "ui/view_area.h"
 
 namespace mw {
@@ -14,11 +17,14 @@ ViewArea::ViewArea(Session& session, QWidget* parent)
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setSpacing(1);
     connect(&session_.view, &ViewState::viewsChanged, this, &ViewArea::refresh);
-    // Levels are those of meshes of one document: another one's mean nothing.
+    for (auto signal : {&ViewState::changed, &ViewState::viewsChanged}) connect(&session_.view, signal, this, &ViewArea::keepVariants);
+    // Levels and variants are those of meshes of one document: another one's mean nothing.
     subscription_ = session_.document.subscribe([this](const Change& c) {
         if (!(c.aspects & Aspect::File) || session_.document.history().size() != 1) return;
-        for (int i = 0; i < session_.view.views(); ++i)
+        for (int i = 0; i < session_.view.views(); ++i) {
             if (i != session_.view.activeView()) session_.view.of(i).shownLevel.clear();
+            session_.view.of(i).variant.clear();
+        }
     });
     add();
     arrange();
@@ -104,6 +110,44 @@ void ViewArea::compareWithBase(MeshId mesh)
             levels[mesh] = 0;
     }
     session_.view.touch();
+}
+
+void ViewArea::keepVariants()
+{
+    if (!session_.evaluations) return;
+    std::vector<std::pair<MeshId, Modifier>> shown;
+    for (int i = 0; i < session_.view.views(); ++i)
+        for (const auto& [mesh, variant] : session_.view.of(i).variant)
+            if (showsVariant(session_.view.of(i), mesh)) shown.emplace_back(mesh, variant);
+    session_.evaluations->variants().keep(shown);
+}
+
+void ViewArea::compareVariants(MeshId mesh)
+{
+    const MeshObject* object = session_.document.scene().find(mesh);
+    const std::optional<size_t> last = object ? lastModifier(*object) : std::nullopt;
+    if (!last) return;
+    const std::vector<Modifier> others = variantsOf(object->stack[*last]);
+    if (others.empty()) return;
+    const ViewSettings look = session_.view;
+    session_.view.linked = true;
+    split(others.size() == 1 ? 2 : 4);
+    for (int i = 0; i < count(); ++i) {
+        ViewSettings& view = session_.view.of(i);
+        view.colourBy = look.colourBy;
+        view.options = look.options;
+        view.camera = look.camera;
+        view.variant.erase(mesh);
+        view.shownLevel.erase(mesh);
+        if (i > 0 && size_t(i) <= others.size()) {
+            view.variant[mesh] = others[size_t(i) - 1];
+            view.shownLevel[mesh] = variantLevel;
+        } else if (i > 0) {
+            view.shownLevel[mesh] = *last;  // what they all start from
+        }
+    }
+    session_.view.touch();
+    QTimer::singleShot(0, this, [this] { first().frameAll(false); });  // the views have their sizes by then
 }
 
 void ViewArea::setContextMenu(QMenu* menu)

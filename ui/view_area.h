@@ -29,6 +29,8 @@ public:
     void split(int count);     ///< 1, 2 or 4; those that go take their settings with them
     /// Two views: the result on the left, the base of this mesh on the right.
     void compareWithBase(MeshId mesh);
+    /// Two or four linked views: the result, and what the last modifier could be in place of it, each coloured as the active view is.
+    void compareVariants(MeshId mesh);
 
     void setContextMenu(QMenu* menu);
     /// Who makes the header of a view while there are several, and what else it carries (HUDs).
@@ -46,7 +48,8 @@ private:
     };
     void add();
     void arrange();
-    void refresh();  // which one is active
+    void refresh();       // which one is active
+    void keepVariants();  // those that are shown, and no other
 
     Session& session_;
     std::shared_ptr<HeatService> heats_;

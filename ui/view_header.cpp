@@ -12,6 +12,8 @@
 #include "ui/actions.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
+#include "ui/variant_popup.h"
+#include "ui/variants.h"
 #include "ui/view_area.h"
 #include "ui/viewport/viewport.h"
 
@@ -187,40 +189,70 @@ QComboBox* cameraOf(Session& session, Viewport& view, QWidget* parent)
     return camera;
 }
 
-/// Which level of the active mesh this view shows.
+constexpr int resultItem = -1, variantItem = -2, chooseItem = -3;  // beside levels, 0 the base
+
+/// What a view can show of a mesh, as words and what they stand for.
+std::vector<std::pair<QString, int>> shownChoices(const MeshObject* object, const Modifier* variant)
+{
+    std::vector<std::pair<QString, int>> out{{"Base mesh", 0}};
+    if (!object || object->stack.empty()) return out;
+    for (size_t i = 0; i + 1 < object->stack.size(); ++i)
+        out.emplace_back(QString("%1 %2").arg(i + 1).arg(edits::titleOf(object->stack[i])), int(i + 1));
+    out.emplace_back("Result", resultItem);
+    const std::optional<size_t> last = lastModifier(*object);
+    if (!last) return out;
+    if (variant) out.emplace_back(variantName(*variant, object->stack[*last]), variantItem);
+    out.emplace_back("Variant...", chooseItem);
+    return out;
+}
+
+int shownItem(const ViewSettings& look, MeshId mesh)
+{
+    const auto level = look.shownLevel.find(mesh);
+    if (level == look.shownLevel.end()) return resultItem;
+    return level->second == variantLevel ? variantItem : int(level->second);
+}
+
+void showChoice(Session& session, Viewport& view, int choice)
+{
+    const MeshId mesh = edits::activeMesh(session.document);
+    session.view.activate(view.view());
+    if (choice == chooseItem)
+        showVariantPopup(session, view, mesh);
+    else if (choice == resultItem)
+        view.look().shownLevel.erase(mesh);
+    else
+        view.look().shownLevel[mesh] = choice == variantItem ? variantLevel : size_t(choice);
+    session.view.touch();
+}
+
+/// Which level of the active mesh this view shows, or what in place of its last modifier.
 QComboBox* levelOf(Session& session, Viewport& view, QWidget* parent)
 {
     auto* combo = new QComboBox(parent);
     combo->setObjectName("shownLevel");
-    combo->setAccessibleName("Shown level");
-    combo->setToolTip("What this view shows of the active mesh: its base, the result, or a level between");
+    combo->setAccessibleName("Shows");
+    combo->setToolTip("What this view shows of the active mesh: its base, a level between, the result, or a variant of the last modifier");
     combo->setFocusPolicy(Qt::TabFocus);
     const auto refresh = [&session, &view, combo] {
         const QSignalBlocker quiet(combo);
         const MeshId mesh = edits::activeMesh(session.document);
         const MeshObject* object = session.document.scene().find(mesh);
-        QStringList levels{"Base mesh"};
-        for (size_t i = 0; object && i + 1 < object->stack.size(); ++i) levels << QString("%1 %2").arg(i + 1).arg(edits::titleOf(object->stack[i]));
-        if (object && !object->stack.empty()) levels << "Result";
-        QStringList now;
+        const auto variant = view.look().variant.find(mesh);
+        const auto choices = shownChoices(object, variant == view.look().variant.end() ? nullptr : &variant->second);
+        QStringList wanted, now;
+        for (const auto& [text, item] : choices) wanted << text;
         for (int i = 0; i < combo->count(); ++i) now << combo->itemText(i);
-        if (now != levels) {
-            combo->clear();
-            combo->addItems(levels);
-        }
-        const auto level = view.look().shownLevel.find(mesh);
-        combo->setCurrentIndex(level == view.look().shownLevel.end() ? combo->count() - 1 : std::min(int(level->second), combo->count() - 1));
+        if (now != wanted) combo->clear();
+        for (const auto& [text, item] : choices)
+            if (now != wanted) combo->addItem(text, item);
+        const int at = combo->findData(shownItem(view.look(), mesh));
+        combo->setCurrentIndex(at >= 0 ? at : std::max(0, combo->findData(resultItem)));
         combo->setEnabled(object && !object->stack.empty());
     };
-    QObject::connect(combo, &QComboBox::activated, combo, [&session, &view, combo](int i) {
-        const MeshId mesh = edits::activeMesh(session.document);
-        const bool result = i == combo->count() - 1;
-        session.view.activate(view.view());
-        if (result)
-            view.look().shownLevel.erase(mesh);
-        else
-            view.look().shownLevel[mesh] = size_t(i);
-        session.view.touch();
+    QObject::connect(combo, &QComboBox::activated, combo, [&session, &view, combo, refresh](int i) {
+        showChoice(session, view, combo->itemData(i).toInt());
+        refresh();  // "Variant..." itself is never what is shown
     });
     QObject::connect(&session.view, &ViewState::changed, combo, refresh);
     combo->setProperty("token", QVariant::fromValue(session.document.subscribe([refresh](const Change&) { refresh(); })));
@@ -276,12 +308,19 @@ QWidget* handleControls(Session& session, Actions& a, QWidget* parent)
     return holder;
 }
 
-/// Two pixels of accent under the header of the active view.
+/// Two pixels of accent under the header of the active view. A narrow one leaves to the menus what else there is: the camera, then the shading.
 class PaneHeader : public QFrame {
 public:
     using QFrame::QFrame;
+    QWidget *shading = nullptr, *camera = nullptr;
 
 protected:
+    void resizeEvent(QResizeEvent* e) override
+    {
+        QFrame::resizeEvent(e);
+        camera->setVisible(width() >= 600);
+        shading->setVisible(width() >= 440);
+    }
     void paintEvent(QPaintEvent* e) override
     {
         QFrame::paintEvent(e);
@@ -336,10 +375,15 @@ QWidget* makePaneHeader(Session& session, ViewArea& views, Viewport& view, Actio
     auto* line = new QHBoxLayout(header);
     line->setContentsMargins(6, 0, 6, 2);
     line->setSpacing(2);
-    addShading(line, session, view, a, header);
-    line->addSpacing(4);
-    const std::pair<QComboBox*, int> combos[] = {
-        {colourBy(session, view, header), 8}, {levelOf(session, view, header), 10}, {cameraOf(session, view, header), 12}};
+    header->shading = new QWidget(header);
+    auto* shading = new QHBoxLayout(header->shading);
+    shading->setContentsMargins(0, 0, 4, 0);
+    shading->setSpacing(2);
+    addShading(shading, session, view, a, header->shading);
+    line->addWidget(header->shading);
+    QComboBox* camera = cameraOf(session, view, header);
+    header->camera = camera;
+    const std::pair<QComboBox*, int> combos[] = {{colourBy(session, view, header), 8}, {levelOf(session, view, header), 10}, {camera, 12}};
     for (const auto& [combo, share] : combos) {
         combo->setMinimumWidth(60);
         combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

@@ -4,11 +4,14 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTimer>
+#include <algorithm>
 
 #include "render/terrain_levels.h"
+#include "ui/evaluation_service.h"
 #include "ui/playback.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
+#include "ui/variants.h"
 #include "ui/view_header.h"
 #include "ui/viewport/measure_tool.h"
 #include "ui/viewport/transform_tool.h"
@@ -67,6 +70,53 @@ void makeGroundHud(Session& session, Viewport& viewport)
     refresh();
 }
 
+/// What the result is compared with: the variant that some view shows.
+const Modifier* comparedWith(const Session& session, MeshId mesh)
+{
+    for (int i = 0; i < session.view.views(); ++i)
+        if (showsVariant(session.view.of(i), mesh)) return &session.view.of(i).variant.at(mesh);
+    return nullptr;
+}
+
+QString variantText(const Session& session, MeshId mesh, const Modifier& variant, const Modifier& last)
+{
+    QString text = QString("Variant <b>%1</b>").arg(variantName(variant, last).toHtmlEscaped());
+    if (!session.evaluations) return text;
+    const VariantService::State s = session.evaluations->variants().state(mesh, variant);
+    if (s.running) return text + ", computing";
+    if (!s.failure.isEmpty()) text += QString(" could not run: %1").arg(s.failure.toHtmlEscaped());
+    return text;
+}
+
+/// What a view says that does not show the result, or whose result others are compared with; empty: nothing.
+QString levelText(const Session& session, const Viewport& viewport, MeshId mesh)
+{
+    const MeshObject* object = session.document.scene().find(mesh);
+    if (!object || object->stack.empty() || session.steps.isOpen()) return {};
+    const std::optional<size_t> last = lastModifier(*object);
+    const auto& levels = viewport.look().shownLevel;
+    const auto level = levels.find(mesh);
+    if (last && showsVariant(viewport.look(), mesh)) return variantText(session, mesh, viewport.look().variant.at(mesh), object->stack[*last]);
+    if (level != levels.end() && level->second < object->stack.size()) {
+        const QString name = level->second == 0 ? "Base mesh" : edits::titleOf(object->stack[level->second - 1]);
+        return QString("Showing <b>%1</b>, level %2 of %3").arg(name.toHtmlEscaped()).arg(level->second).arg(object->stack.size());
+    }
+    const Modifier* other = last ? comparedWith(session, mesh) : nullptr;
+    return other ? QString("Result <b>%1</b>").arg(variantName(object->stack[*last], *other).toHtmlEscaped()) : QString();
+}
+
+/// In one line when the view is wide enough for it and `beside` more, else in several.
+void setFitting(QLabel& label, const QString& text, int beside, const Viewport& viewport)
+{
+    label.setMinimumWidth(0);  // it would count
+    label.setWordWrap(false);
+    label.setText(text);
+    constexpr int margin = 12, marker = 90;  // the axes at the top right
+    const int wide = label.sizeHint().width(), room = std::max(120, viewport.width() - beside - 2 * margin - marker);
+    label.setWordWrap(wide > room);
+    label.setFixedWidth(std::min(wide, room));
+}
+
 void makeLevelHud(Session& session, Viewport& viewport)
 {
     QFrame* hud = newHud(viewport);
@@ -74,21 +124,19 @@ void makeLevelHud(Session& session, Viewport& viewport)
     line->setContentsMargins(10, 4, 6, 4);
     auto* eye = new IconLabel("eye", &Tokens::accentText, hud);
     auto* text = new QLabel(hud);
+    text->setObjectName("shownText");
     auto* back = new QPushButton("Show result", hud);
     back->setFocusPolicy(Qt::TabFocus);
     line->addWidget(eye);
     line->addWidget(text);
     line->addWidget(back);
-    const auto refresh = [&session, &viewport, hud, text] {
+    const auto refresh = [&session, &viewport, hud, text, back] {
         const MeshId mesh = edits::activeMesh(session.document);
-        const auto& levels = viewport.look().shownLevel;
-        const auto level = levels.find(mesh);
-        const MeshObject* object = session.document.scene().find(mesh);
-        const bool other = object && level != levels.end() && level->second < object->stack.size() && !session.steps.isOpen();
-        hud->setVisible(other);
-        if (!other) return place(viewport);
-        const QString name = level->second == 0 ? "Base mesh" : edits::titleOf(object->stack[level->second - 1]);
-        text->setText(QString("Showing <b>%1</b>, level %2 of %3").arg(name.toHtmlEscaped()).arg(level->second).arg(object->stack.size()));
+        const QString said = levelText(session, viewport, mesh);
+        hud->setVisible(!said.isEmpty());
+        // The header of one of several views offers it among what it shows.
+        back->setVisible(viewport.look().shownLevel.count(mesh) && session.view.views() == 1);
+        setFitting(*text, said, 50 + (back->isHidden() ? 0 : back->sizeHint().width()), viewport);
         place(viewport);
     };
     QObject::connect(back, &QPushButton::clicked, hud, [&session, &viewport] {
@@ -97,6 +145,8 @@ void makeLevelHud(Session& session, Viewport& viewport)
         session.view.touch();
     });
     QObject::connect(&session.view, &ViewState::changed, hud, refresh);
+    QObject::connect(&viewport, &Viewport::resized, hud, refresh);
+    if (session.evaluations) QObject::connect(&session.evaluations->variants(), &VariantService::changed, hud, refresh);
     hud->setProperty("token", QVariant::fromValue(session.document.subscribe([refresh](const Change&) { refresh(); })));
     refresh();
 }

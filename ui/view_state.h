@@ -18,12 +18,16 @@ enum class PickKind { Object, Vertex, Edge, Face, Joint };
 /// What a press or a drag in the view does.
 enum class ToolKind { Select, Box, Lasso, Move, Rotate, Scale, Measure, Brush, Collapse };
 
+/// A level that stands for the variant of the last modifier that a view shows.
+constexpr size_t variantLevel = size_t(-1);
+
 /// What each of several views side by side has for itself.
 struct ViewSettings {
     Camera camera;
     ViewOptions options;
     QString colourBy;                     ///< id of a query operation ("vertex-valence"), or empty: material
-    std::map<MeshId, size_t> shownLevel;  ///< 0 base .. n; absent: the result
+    std::map<MeshId, size_t> shownLevel;  ///< 0 base .. n, or variantLevel; absent: the result
+    std::map<MeshId, Modifier> variant;   ///< in place of the last modifier, while the level is variantLevel
     bool showBones = true, showMeshes = true;
     /// How smooth shading and needles weigh the faces at a vertex, on meshes without normals of their own.
     NormalWeight normalWeight = NormalWeight::Area;

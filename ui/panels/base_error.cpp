@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include "core/mesh/same_mesh.h"
 #include "ui/stack_edits.h"
 
 namespace mw {
@@ -17,6 +18,7 @@ constexpr const char* query = "distance";
 
 QString percent(double v)
 {
+    if (v < 1e-7) v = 0;  // places are floats
     return QString::number(v, 'g', 2) + " %";
 }
 
@@ -58,11 +60,7 @@ private:
     /// What is compared; the arrays say whether it has changed.
     struct Subject {
         Mesh base, result;
-        bool same(const Subject& s) const
-        {
-            return base.positions().id() == s.base.positions().id() && base.cornerVertex().id() == s.base.cornerVertex().id() &&
-                   result.positions().id() == s.result.positions().id() && result.cornerVertex().id() == s.result.cornerVertex().id();
-        }
+        bool same(const Subject& s) const { return sameMesh(base, s.base) && sameMesh(result, s.result); }
     };
 
     std::optional<Subject> subject() const

@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 
+#include "core/mesh/same_mesh.h"
 #include "ui/look.h"
 #include "ui/panels/records_widget.h"
 #include "ui/viewport/frame_builder.h"
@@ -19,11 +20,6 @@ namespace mw {
 namespace {
 
 constexpr size_t atOnce = 30'000;  // faces: half-edges in a few milliseconds
-
-bool isSame(const Mesh& a, const Mesh& b)
-{
-    return a.positions().id() == b.positions().id() && a.cornerVertex().id() == b.cornerVertex().id() && a.faceStart().id() == b.faceStart().id();
-}
 
 PickKind pickKindOf(ElementKind kind)
 {
@@ -47,7 +43,7 @@ Records::Records(Session& session, QWidget* parent) : QWidget(parent), session_(
     });
     connect(&session_.view, &ViewState::changed, this, [this] {
         const Node* n = session_.document.scene().find(node_);
-        if (isVisible() && n && n->mesh && !isSame(shownMesh(session_, n->mesh), wanted_)) update();  // another level is shown
+        if (isVisible() && n && n->mesh && !sameMesh(shownMesh(session_, n->mesh), wanted_)) update();  // another level is shown
     });
     showMessage(tr("Select a mesh to see its records."), {});
 }
@@ -84,7 +80,7 @@ void Records::update()
         return showMessage(tr("Select a mesh to see its records."), {});
     }
     const Mesh mesh = shownMesh(session_, session_.document.scene().node(node).mesh);
-    const bool other = node != node_ || !isSame(mesh, wanted_);
+    const bool other = node != node_ || !sameMesh(mesh, wanted_);
     node_ = node;
     if (!other && mesh_) return followSelection();
     if (!other) return;  // on its way

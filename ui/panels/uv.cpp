@@ -16,11 +16,13 @@
 
 #include "core/metrics/uv_distortion.h"
 #include "core/scene/edit.h"
+#include "ui/evaluation_service.h"
 #include "ui/look.h"
 #include "ui/panels/decoded_picture.h"
 #include "ui/panels/uv_canvas.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
+#include "ui/variants.h"
 #include "ui/viewport/frame_builder.h"
 #include "ui/words.h"
 
@@ -101,8 +103,10 @@ public:
         });
         connect(&session_.view, &ViewState::changed, this, [this] {
             canvas_->setPickKind(session_.view.pickKind);
-            if (session_.view.shownLevel != levels_ || session_.view.options.theme != canvas_->options().theme) refreshSoon();
+            if (session_.view.shownLevel != levels_ || session_.view.variant != variants_ || session_.view.options.theme != canvas_->options().theme)
+                refreshSoon();
         });
+        if (session_.evaluations) connect(&session_.evaluations->variants(), &VariantService::changed, this, [this] { refreshSoon(); });
         refresh();
     }
 
@@ -210,6 +214,7 @@ private:
     {
         pending_ = false;
         levels_ = session_.view.shownLevel;
+        variants_ = session_.view.variant;
         const MeshId id = edits::activeMesh(session_.document);
         if (!session_.document.scene().find(id)) {
             subject_ = nullptr;
@@ -217,7 +222,8 @@ private:
             return say("Select a mesh to see its texture coordinates.");
         }
         node_ = session_.document.selection().active();
-        const Mesh mesh = shownMesh(session_, id);
+        isVariant_ = showsVariant(session_.view, id);
+        const Mesh mesh = shownMesh(session_, session_.view, id);
         const int64_t sets = textureSets(mesh);
         if (sets == 0) {
             subject_ = nullptr;
@@ -278,7 +284,7 @@ private:
         o.picture = back_->currentIndex() != 2;
         if (back_->currentIndex() == 0) o.backdrop = backdrop();
         const Selection& s = session_.document.selection();
-        if (s.elementsOf == node_) o.selection = s.elements;
+        if (s.elementsOf == node_ && !isVariant_) o.selection = s.elements;
         canvas_->setPickKind(session_.view.pickKind);
         canvas_->setOptions(std::move(o));
         if (!subject_) return;
@@ -287,7 +293,7 @@ private:
         folded_->setProperty("bad", n > 0);
         folded_->style()->unpolish(folded_);
         folded_->style()->polish(folded_);
-        select_->setVisible(n > 0);
+        select_->setVisible(n > 0 && !isVariant_);
         const UvColour colour = UvColour(colour_->currentIndex());
         legend_->set(colour, uvColourHigh(*subject_, colour));
         const auto& sum = subject_->distortion.summary;
@@ -327,6 +333,7 @@ private:
 
     void pick(ElementKind kind, const std::vector<uint32_t>& indices, Qt::KeyboardModifiers modifiers)
     {
+        if (isVariant_) return;
         const Selection& s = session_.document.selection();
         const bool joins = (modifiers & (Qt::ShiftModifier | Qt::ControlModifier)) && s.elementsOf == node_ && s.elements.kind == kind;
         if (!joins) return choose({kind, indices});
@@ -380,6 +387,8 @@ private:
     std::shared_ptr<const UvSubject> subject_;
     const void *coordinates_ = nullptr, *positions_ = nullptr, *corners_ = nullptr;
     std::map<MeshId, size_t> levels_;
+    std::map<MeshId, Modifier> variants_;
+    bool isVariant_ = false;  // elements are picked where the result is shown
     quint64 job_ = 0, turn_ = 0;
     std::shared_ptr<int> alive_ = std::make_shared<int>(0);
     bool pending_ = false;

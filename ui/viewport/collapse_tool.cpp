@@ -35,7 +35,8 @@ QString CollapseTool::obstacle(NodeId node) const
     const auto level = levels.find(id);
     const MeshObject* object = session().document.scene().find(id);
     if (!object) return "this is no mesh";
-    if (level != levels.end() && level->second < object->stack.size()) return "this is an earlier level; show the result first";
+    if (level != levels.end() && (level->second < object->stack.size() || level->second == variantLevel))
+        return "this is an earlier level; show the result first";
     return {};
 }
 

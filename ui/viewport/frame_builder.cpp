@@ -1,8 +1,12 @@
 #include "ui/viewport/frame_builder.h"
 
+#include <limits>
+
 #include "render/colors.h"
+#include "ui/evaluation_service.h"
 #include "ui/playback.h"
 #include "ui/steps/step_subject.h"
+#include "ui/variants.h"
 #include "ui/viewport/step_frame.h"
 
 namespace mw {
@@ -15,7 +19,44 @@ void addSketch(const ViewState::Sketch& sketch, Frame& frame)
     frame.labels.insert(frame.labels.end(), sketch.labels.begin(), sketch.labels.end());
 }
 
-void markSelection(const Session& s, Frame& frame)
+const Mesh& baseOf(const Session& s, const DrawObject& o)
+{
+    static const Mesh nothing;
+    const MeshObject* object = s.document.scene().find(s.document.scene().node(o.node).mesh);
+    return object ? object->base : nothing;
+}
+
+/// One range, and one legend, for all views that colour by the same: from the least low to the greatest high of what they show. What one of them
+/// still computes comes in with HeatService::ready().
+void shareRange(const Session& s, const ViewSettings& look, const Operation& query, HeatService& heats, Frame& frame)
+{
+    int alike = 0;
+    bool first = true;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (int v = 0; v < s.view.views(); ++v) {
+        const ViewSettings& other = s.view.of(v);
+        if (other.colourBy != look.colourBy) continue;
+        if (alike++ == 0) first = &other == &look;
+        for (const DrawObject& o : frame.objects) {
+            const auto h = heats.heat(query, shownMesh(s, other, s.document.scene().node(o.node).mesh), baseOf(s, o));
+            if (!h || h->table->columns[h->column].categorical) continue;
+            low = std::min(low, h->low);
+            high = std::max(high, h->high);
+        }
+    }
+    if (alike < 2 || !(low <= high)) return;
+    if (!first) frame.options.legend = false;
+    for (DrawObject& o : frame.objects) {
+        if (!o.heat || o.heat->table->columns[o.heat->column].categorical) continue;
+        HeatMap h = *o.heat;
+        h.low = low;
+        h.high = high;
+        h.shared = true;
+        o.heat = std::make_shared<const HeatMap>(std::move(h));
+    }
+}
+
+void markSelection(const Session& s, const ViewSettings& look, Frame& frame)
 {
     const Selection& selection = s.document.selection();
     if (s.steps.isOpen()) return;  // hidden while stepping: the focus speaks
@@ -34,6 +75,7 @@ void markSelection(const Session& s, Frame& frame)
         t.hovered = s.view.hovered == t.node && s.view.pickKind == PickKind::Object && s.view.tool != ToolKind::Brush;
     }
     if (!selection.elementsOf || selection.elements.indices.empty()) return;
+    if (showsVariant(look, s.document.scene(), selection.elementsOf)) return;  // they are elements of the result
     Mark m;
     m.node = selection.elementsOf;
     m.kind = selection.elements.kind;
@@ -52,6 +94,7 @@ Mesh shownMesh(const Session& session, const ViewSettings& look, MeshId id)
     const auto level = look.shownLevel.find(id);
     if (level != look.shownLevel.end()) {
         if (level->second == 0) return session.document.scene().find(id)->base;
+        if (level->second == variantLevel) return shownVariant(session, look, id);
         if (evaluation && level->second <= evaluation->levels.size()) return evaluation->at(level->second);
     }
     return session.document.shownMesh(id);
@@ -59,6 +102,8 @@ Mesh shownMesh(const Session& session, const ViewSettings& look, MeshId id)
 
 Mesh shownMesh(const Session& session, MeshId id)
 {
+    const auto level = session.view.shownLevel.find(id);
+    if (level != session.view.shownLevel.end() && level->second == variantLevel) return session.document.shownMesh(id);
     return shownMesh(session, session.view, id);
 }
 
@@ -73,15 +118,14 @@ Frame buildFrame(const Session& session, const ViewSettings& look, HeatService& 
     frame.camera = look.camera;
     frame.options = look.options;
     const Operation* query = look.colourBy.isEmpty() ? nullptr : findOperation(look.colourBy.toStdString());
-    if (query && !session.steps.isOpen())
-        for (DrawObject& o : frame.objects) {
-            const MeshObject* object = session.document.scene().find(session.document.scene().node(o.node).mesh);
-            o.heat = heats.heat(*query, o.mesh, object ? object->base : Mesh());
-        }
+    if (query && !session.steps.isOpen()) {
+        for (DrawObject& o : frame.objects) o.heat = heats.heat(*query, o.mesh, baseOf(session, o));
+        if (session.view.views() > 1) shareRange(session, look, *query, heats, frame);
+    }
     if (!session.steps.isOpen())
         for (DrawObject& o : frame.objects) o.mesh = heats.normals.shown(o.mesh, look.normalWeight);
     for (DrawTerrain& t : frame.terrains) t.overlay = session.view.groundOverlay;
-    markSelection(session, frame);
+    markSelection(session, look, frame);
     frame.marks.insert(frame.marks.end(), session.view.flashes.begin(), session.view.flashes.end());
     if (session.steps.isOpen())
         markStep(session, frame);

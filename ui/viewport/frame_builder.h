@@ -7,7 +7,7 @@ namespace mw {
 
 /// The mesh to show of a mesh object: a chosen level of its stack, else the last good result.
 Mesh shownMesh(const Session& session, const ViewSettings& look, MeshId id);
-Mesh shownMesh(const Session& session, MeshId id);  ///< in the active view
+Mesh shownMesh(const Session& session, MeshId id);  ///< in the active view; for a variant the result, to which selections belong
 
 Frame buildFrame(const Session& session, const ViewSettings& look, HeatService& heats);
 

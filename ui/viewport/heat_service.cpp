@@ -1,13 +1,16 @@
 #include "ui/viewport/heat_service.h"
 
 #include "core/catalog/others.h"
+#include "core/mesh/same_mesh.h"
 
 namespace mw {
+
 namespace {
 
-bool same(const Mesh& a, const Mesh& b)
+/// Queries ask for texture coordinates and colours as well.
+bool sameAll(const Mesh& a, const Mesh& b)
 {
-    return a.positions().id() == b.positions().id() && a.cornerVertex().id() == b.cornerVertex().id();
+    return sameMesh(a, b) && sameAttributes(a, b);
 }
 
 }  // namespace
@@ -15,16 +18,21 @@ bool same(const Mesh& a, const Mesh& b)
 HeatService::Entry* HeatService::find(const Operation& query, const Mesh& mesh, const Mesh& base)
 {
     for (Entry& e : entries_)
-        if (e.query == &query && same(e.mesh, mesh) && same(e.base, base)) return &e;
+        if (e.query == &query && sameAll(e.mesh, mesh) && sameAll(e.base, base)) return &e;
     return nullptr;
 }
 
 std::shared_ptr<const HeatMap> HeatService::heat(const Operation& query, const Mesh& mesh, const Mesh& base)
 {
     const Mesh other = needsOthers(query) ? base : Mesh();
-    if (const Entry* e = find(query, mesh, other)) return e->heat;
-    entries_.push_front({&query, mesh, other, nullptr});
-    if (entries_.size() > 16) entries_.pop_back();
+    ++asked_;
+    if (Entry* e = find(query, mesh, other)) {
+        e->asked = asked_;
+        return e->heat;
+    }
+    // What is shown is asked for with every picture, in each of several views for all of them.
+    std::erase_if(entries_, [this](const Entry& e) { return entries_.size() > 16 && e.asked + 64 * entries_.size() < asked_; });
+    entries_.push_front({&query, mesh, other, nullptr, asked_});
     jobs_.start(
         "Colour by " + QString::fromStdString(query.title),
         [this, op = &query, mesh, other](Progress& progress) -> std::function<void()> {

@@ -33,10 +33,12 @@ private:
         const Operation* query;
         Mesh mesh, base;
         std::shared_ptr<const HeatMap> heat;
+        uint64_t asked;  // by the count of all questions
     };
     Entry* find(const Operation& query, const Mesh& mesh, const Mesh& base);
     Jobs& jobs_;
-    std::list<Entry> entries_;  // most recent first
+    std::list<Entry> entries_;
+    uint64_t asked_ = 0;
 };
 
 }  // namespace mw

@@ -1,5 +1,7 @@
 #include "ui/viewport/normal_service.h"
 
+#include "core/mesh/same_mesh.h"
+
 namespace mw {
 namespace {
 
@@ -15,18 +17,13 @@ Attribute madeFor(const Mesh& mesh, NormalWeight weight)
     return floatAttribute(std::string(names::normal), Domain::Vertex, 3, std::move(values));
 }
 
-bool isOf(const Mesh& a, const Mesh& b)
-{
-    return a.positions().id() == b.positions().id() && a.cornerVertex().id() == b.cornerVertex().id();
-}
-
 }  // namespace
 
 Mesh NormalService::shown(const Mesh& mesh, NormalWeight weight)
 {
     if (weight == NormalWeight::Area || mesh.faceCount() == 0 || mesh.find(names::normal)) return mesh;
     for (const Entry& e : entries_)
-        if (e.weight == weight && isOf(e.mesh, mesh)) return e.normals ? mesh.with(*e.normals) : mesh;
+        if (e.weight == weight && sameMesh(e.mesh, mesh)) return e.normals ? mesh.with(*e.normals) : mesh;
     entries_.push_front({weight, mesh, std::nullopt});
     if (entries_.size() > 16) entries_.pop_back();
     if (mesh.faceCount() <= atOnce) {
@@ -38,7 +35,7 @@ Mesh NormalService::shown(const Mesh& mesh, NormalWeight weight)
         const Attribute made = madeFor(mesh, weight);
         return [this, mesh, weight, made] {
             for (Entry& e : entries_)
-                if (e.weight == weight && isOf(e.mesh, mesh)) e.normals = made;
+                if (e.weight == weight && sameMesh(e.mesh, mesh)) e.normals = made;
             emit ready();
         };
     });

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/mesh/select.h"
+#include "ui/variants.h"
 #include "ui/viewport/step_frame.h"
 
 namespace mw {
@@ -174,6 +175,7 @@ void selectRegion(ToolView& view, const Region& region, SelectMode mode)
     if (kind == PickKind::Object) return selectNodes(document, objectsIn(view, region), mode);
     const Found found = elementsIn(view, region, elementKind(kind));
     const Selection& old = document.selection();
+    if (showsVariant(view.look(), document.scene(), found.node)) return;  // elements are picked where the result is shown
     if (!found.node) {
         if (mode == SelectMode::Replace) document.select({old.nodes, {}, {}});
         return;

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "render/picture_target.h"
+#include "ui/evaluation_service.h"
 #include "ui/theme.h"
+#include "ui/variants.h"
 #include "ui/viewport/brush_tool.h"
 #include "ui/viewport/collapse_tool.h"
 #include "ui/viewport/measure_tool.h"
@@ -56,6 +58,7 @@ Viewport::Viewport(Session& session, std::shared_ptr<HeatService> heats, int vie
             say({});
         });
     connect(heats_.get(), &HeatService::ready, this, &Viewport::refresh);
+    if (session_.evaluations) connect(&session_.evaluations->variants(), &VariantService::changed, this, &Viewport::refresh);
     connect(heats_.get(), &HeatService::failed, this, &Viewport::failed);
     connect(&session_.view, &ViewState::toolChanged, this, &Viewport::toolChanged);
     connect(&session_.view, &ViewState::brushChanged, this, [this] {

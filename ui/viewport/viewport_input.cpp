@@ -1,4 +1,5 @@
 // Pointer events of the view: click to pick, drag to look (ui/UI.md 3).
+#include <QGuiApplication>
 #include <QLineF>
 #include <QMouseEvent>
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include "core/mesh/select.h"
 #include "render/bones.h"
 #include "ui/selection_commands.h"
+#include "ui/variants.h"
 #include "ui/viewport/brush_tool.h"
 #include "ui/viewport/heat_probe.h"
 #include "ui/viewport/region_tool.h"
@@ -140,7 +142,8 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* e)
     if (e->button() == Qt::LeftButton && session_.view.pickKind == PickKind::Edge && !session_.steps.isOpen() &&
         session_.view.tool == ToolKind::Select) {
         const auto pick = pickAt(e->position());
-        const auto mark = pick ? hoverMark(*pick, PickKind::Edge) : std::nullopt;
+        const bool elements = pick && !showsVariant(look(), session_.document.scene(), pick->node);
+        const auto mark = elements ? hoverMark(*pick, PickKind::Edge) : std::nullopt;
         if (mark && mark->indices.size() == 2)
             return selecting::selectLoop(session_, pick->node, mark->indices[0], mark->indices[1], e->modifiers() & Qt::ShiftModifier);
     }
@@ -193,7 +196,7 @@ void Viewport::click(QPointF point, Qt::KeyboardModifiers m)
         return;
     }
     const PickKind kind = session_.view.pickKind;
-    if (kind == PickKind::Object || kind == PickKind::Joint) {
+    if (kind == PickKind::Object || kind == PickKind::Joint || showsVariant(look(), session_.document.scene(), pick->node)) {
         const auto at = std::find(s.nodes.begin(), s.nodes.end(), pick->node);
         const bool had = at != s.nodes.end();
         if (!extend)
@@ -280,6 +283,7 @@ void Viewport::hover()
     clock.start();
     if (!tool().marksHover()) {
         tool().rest(eventAt(last_, {}));
+        say(QGuiApplication::keyboardModifiers());
         hoverTimer_.setInterval(std::clamp(int(clock.elapsed()) * 3, 30, 600));
         return;
     }
@@ -287,7 +291,9 @@ void Viewport::hover()
     hoverTimer_.setInterval(std::clamp(int(clock.elapsed()) * 3, 30, 600));  // a slow driver gets time between
     NodeId node = pick && session_.view.pickKind == PickKind::Object ? pick->node : NodeId{};
     if (const NodeId joint = jointUnder(last_, pick.has_value())) node = joint;
-    auto mark = pick ? hoverMark(*pick, session_.view.pickKind) : std::nullopt;
+    // Elements are picked where the result is shown.
+    const bool elements = pick && !showsVariant(look(), session_.document.scene(), pick->node);
+    auto mark = elements ? hoverMark(*pick, session_.view.pickKind) : std::nullopt;
     showValue(pick);
     const bool same = node == session_.view.hovered && mark.has_value() == hoverMark_.has_value() &&
                       (!mark || (mark->indices == hoverMark_->indices && mark->node == hoverMark_->node));

@@ -1,7 +1,7 @@
 // Cutting a mesh open from the window: along the selected edges, or to a disk. Each is a modifier and one history entry.
 #include "core/mesh/select.h"
 #include "ui/actions.h"
-#include "ui/repair_edits.h"
+#include "ui/cut_edits.h"
 #include "ui/shortcuts.h"
 #include "ui/stack_edits.h"
 
@@ -21,32 +21,10 @@ QString whyNoCut(const Session& s, bool along)
     return {};
 }
 
-/// Behind the level in view, to which the selection belongs.
-size_t levelInView(const Session& s, MeshId mesh)
-{
-    const size_t all = s.document.scene().find(mesh)->stack.size();
-    const auto level = s.view.shownLevel.find(mesh);
-    return level == s.view.shownLevel.end() ? all : std::min(all, level->second);
-}
-
 ParameterValues cutValues(const Session& s, bool along)
 {
     if (!along) return {};
     return {{"method", std::string("edges")}, {"edges", elementText(s.document.selection().elements)}};
-}
-
-void addCut(Session& s, bool along)
-{
-    if (!whyNoCut(s, along).isEmpty()) return;
-    const NodeId node = s.document.selection().active();
-    const MeshId mesh = edits::activeMesh(s.document);
-    const size_t level = levelInView(s, mesh);
-    const std::vector<NodeId> nodes = s.document.selection().nodes;
-    const ParameterValues values = cutValues(s, along);
-    s.document.select({nodes, {}, {}});  // vertices along the cut get other numbers
-    edits::insertModifiers(s.document, node, level, {Modifier{{}, "cut", values}});
-    s.view.shownLevel.erase(mesh);
-    s.view.touch();
 }
 
 }  // namespace
@@ -54,11 +32,13 @@ void addCut(Session& s, bool along)
 void Actions::makeCut()
 {
     const auto add = [this](const char* text, const char* tip, bool along) {
-        auto* a = make(text, "", "", tip, [this, along] { addCut(s_, along); });
+        auto* a = make(text, "", "", tip, [this, along] {
+            if (whyNoCut(s_, along).isEmpty()) edits::addCut(s_, s_.document.selection().active(), cutValues(s_, along));
+        });
         edits::setCall(a, [this, along]() -> EditCall {
             const Document& d = s_.document;
             const std::string with = printed(operation("cut").parameters, cutValues(s_, along));
-            const int64_t at = int64_t(levelInView(s_, edits::activeMesh(d)) + 1);
+            const int64_t at = int64_t(edits::levelInView(s_, edits::activeMesh(d)) + 1);
             return {"modify", {{"node", nodeText(d.scene(), d.selection().active())}, {"op", std::string("cut")}, {"with", with}, {"at", at}}};
         });
         return a;

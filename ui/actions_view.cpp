@@ -131,7 +131,8 @@ void Actions::makeTools()
                  {"Scale", "scale", "R", "Drag a handle, or the middle for all axes; factors can be typed while dragging"},
                  {"Measure", "measure", "D", "Click two points for their distance, a third for angle and area"},
                  {"Brush", "brush", "M", "Drag paints on terrains"},
-                 {"Collapse", "edge", "O", "Point at an edge: where it would go, or why it stays; a click collapses it"}};
+                 {"Collapse", "edge", "O", "Point at an edge: where it would go, or why it stays; a click collapses it"},
+                 {"Cut", "cut", "K", "Click vertices: the mesh is opened along the shortest way from one to the next; Enter cuts"}};
     for (const auto& k : kinds) {
         const auto tool = ToolKind(tools.size());
         auto* a = make(

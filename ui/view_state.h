@@ -16,7 +16,7 @@ namespace mw {
 enum class PickKind { Object, Vertex, Edge, Face, Joint };
 
 /// What a press or a drag in the view does.
-enum class ToolKind { Select, Box, Lasso, Move, Rotate, Scale, Measure, Brush, Collapse };
+enum class ToolKind { Select, Box, Lasso, Move, Rotate, Scale, Measure, Brush, Collapse, Cut };
 
 /// A level that stands for the variant of the last modifier that a view shows.
 constexpr size_t variantLevel = size_t(-1);

@@ -1,7 +1,9 @@
 // Cutting a mesh open from the menu: along the selected edges, and to a disk.
 #include <QAction>
 #include <QApplication>
+#include <QDir>
 #include <QTest>
+#include <glm/geometric.hpp>
 
 #include "core/catalog/catalog.h"
 #include "core/mesh/rings.h"
@@ -11,6 +13,7 @@
 #include "ui/file_commands.h"
 #include "ui/main_window.h"
 #include "ui/stack_edits.h"
+#include "ui/viewport/cut_tool.h"
 #include "ui/viewport/viewport.h"
 
 using namespace mw;
@@ -39,6 +42,30 @@ std::array<uint32_t, 4> walk(const Mesh& m)
                 break;
             }
     return way;
+}
+
+double length(const Mesh& m, std::span<const uint32_t> way)
+{
+    double sum = 0;
+    for (size_t i = 0; i + 1 < way.size(); ++i) sum += glm::distance(glm::dvec3(m.positions()[way[i]]), glm::dvec3(m.positions()[way[i + 1]]));
+    return sum;
+}
+
+/// By relaxing every edge until nothing gets shorter.
+double shortestLength(const Mesh& m, uint32_t from, uint32_t to)
+{
+    std::vector<double> far(m.vertexCount(), INFINITY);
+    far[from] = 0;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (size_t e = 0; e < m.edges().size(); e += 2)
+            for (const auto& [a, b] : {std::pair(m.edges()[e], m.edges()[e + 1]), std::pair(m.edges()[e + 1], m.edges()[e])}) {
+                const uint32_t ends[] = {a, b};
+                const double there = far[a] + length(m, ends);
+                if (there < far[b]) far[b] = there, changed = true;
+            }
+    }
+    return far[to];
 }
 
 ElementSet edgesOf(const std::array<uint32_t, 4>& way)
@@ -82,6 +109,40 @@ private:
         for (QAction* a : w_->findChildren<QAction*>())
             if (a->text() == text) return a;
         qFatal("there is no action \"%s\"", qPrintable(text));
+    }
+
+    Viewport& view() { return w_->viewport(); }
+    CutTool& tool() { return static_cast<CutTool&>(view().tool(ToolKind::Cut)); }
+    QPoint pixelOf(const Mesh& m, uint32_t vertex)
+    {
+        const glm::dvec3 p = view().look().camera.project(glm::dvec3(m.positions()[vertex]), view().logicalSize());
+        return {int(std::lround(p.x)), int(std::lround(p.y))};
+    }
+    /// The vertex in view nearest to a place of the picture, as shares of its size.
+    uint32_t near(const Mesh& m, double x, double y)
+    {
+        const glm::dvec3 eye = view().look().camera.eye();
+        const QPoint wanted(int(x * view().width()), int(y * view().height()));
+        uint32_t best = 0;
+        double least = INFINITY;
+        for (uint32_t v = 0; v < m.vertexCount(); ++v) {
+            const glm::dvec3 p(m.positions()[v]);
+            const QPoint off = pixelOf(m, v) - wanted;
+            const double d = std::hypot(off.x(), off.y());
+            if (glm::dot(glm::normalize(p), glm::normalize(eye - p)) > 0.3 && d < least) least = d, best = v;
+        }
+        return best;
+    }
+    void hoverAt(QPoint p)
+    {
+        QTest::mouseMove(&view(), p + QPoint(1, 1));
+        QTest::mouseMove(&view(), p);
+    }
+    void click(const Mesh& m, uint32_t v) { QTest::mouseClick(&view(), Qt::LeftButton, {}, pixelOf(m, v)); }
+    void picture(const char* name)
+    {
+        const QString folder = qEnvironmentVariable("MESHWRIGHT_PICTURES");
+        if (!folder.isEmpty()) w_->grab().save(QDir(folder).filePath(name));
     }
 
 private slots:
@@ -151,6 +212,93 @@ private slots:
         document().select({});
         QVERIFY(!action("Cut open to a disk")->isEnabled());
         QVERIFY(action("Cut open to a disk")->toolTip().startsWith("Select a mesh first"));
+    }
+
+    void cutsFromClickedVertexToClickedVertex()
+    {
+        const Mesh sphere = made("icosphere", {{"subdivisions", int64_t(3)}});
+        open(sphere);
+        QTest::keyClick(&view(), Qt::Key_K);
+        QVERIFY(session().view.tool == ToolKind::Cut);
+        const uint32_t a = near(sphere, 0.42, 0.42), b = near(sphere, 0.58, 0.45), c = near(sphere, 0.52, 0.62);
+        click(sphere, a);
+        QCOMPARE(tool().stops().size(), size_t(1));
+        QTest::keyClick(&view(), Qt::Key_Return);  // from where to where?
+        QVERIFY(document().scene().find(mesh())->stack.empty());
+        click(sphere, b);
+        QCOMPARE(tool().stops().size(), size_t(2));
+        QVERIFY(std::abs(length(sphere, tool().stops()[1].way) - shortestLength(sphere, a, b)) < 1e-9);
+        hoverAt(pixelOf(sphere, c));
+        QTRY_VERIFY(!tool().way().empty() && tool().way().back() == c);
+        QCOMPARE(tool().way().front(), b);
+        QVERIFY(std::abs(length(sphere, tool().way()) - shortestLength(sphere, b, c)) < 1e-9);
+        picture("cut-tool.png");
+        click(sphere, c);
+        QTest::keyClick(&view(), Qt::Key_Backspace);
+        QCOMPARE(tool().stops().size(), size_t(2));
+        click(sphere, c);
+        size_t edges = 0;
+        for (const CutTool::Stop& s : tool().stops()) edges += s.way.empty() ? 0 : s.way.size() - 1;
+        const size_t entries = document().history().size();
+        QTest::keyClick(&view(), Qt::Key_Return);
+        settle();
+        QCOMPARE(document().history().size(), entries + 1);
+        QVERIFY(tool().stops().empty());
+        const auto& stack = document().scene().find(mesh())->stack;
+        QCOMPARE(stack.size(), size_t(1));
+        QCOMPARE(std::get<std::string>(stack[0].values.at("vertices")), std::to_string(a) + ";" + std::to_string(b) + ";" + std::to_string(c));
+        // A way that does not cross itself: each edge becomes two, each vertex inside it as well.
+        const Mesh cut = document().shownMesh(mesh());
+        QCOMPARE(cut.vertexCount(), sphere.vertexCount() + edges - 1);
+        QCOMPARE(boundary(cut, ElementKind::Edge).indices.size(), 4 * edges);
+        picture("cut-tool-after.png");
+    }
+
+    void clearsAndCutsByADoubleClick()
+    {
+        const Mesh sphere = made("icosphere", {{"subdivisions", int64_t(3)}});
+        open(sphere);
+        QTest::keyClick(&view(), Qt::Key_K);
+        const uint32_t a = near(sphere, 0.42, 0.42), b = near(sphere, 0.58, 0.45);
+        click(sphere, a);
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        QVERIFY(tool().stops().empty());
+        QVERIFY(session().view.tool == ToolKind::Cut);
+        click(sphere, a);
+        click(sphere, b);
+        QTest::mouseDClick(&view(), Qt::LeftButton, {}, pixelOf(sphere, b));  // the press alone
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, pixelOf(sphere, b));
+        QCOMPARE(document().scene().find(mesh())->stack.size(), size_t(1));
+        settle();
+        // Undone while another cut is begun: its vertices may mean others now.
+        const Mesh cut = document().shownMesh(mesh());
+        click(cut, near(cut, 0.5, 0.6));
+        QCOMPARE(tool().stops().size(), size_t(1));
+        document().undo();
+        settle();
+        hoverAt(pixelOf(sphere, b));
+        QTRY_VERIFY(tool().stops().empty());
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        QVERIFY(session().view.tool == ToolKind::Select);
+    }
+
+    // Ways over a large mesh are looked for by a job: a click meanwhile is kept.
+    void keepsAClickWhileWaysAreLookedFor()
+    {
+        const Mesh sphere = made("icosphere", {{"subdivisions", int64_t(6)}});
+        open(sphere);
+        QTest::keyClick(&view(), Qt::Key_K);
+        const uint32_t a = near(sphere, 0.42, 0.42), b = near(sphere, 0.58, 0.45);
+        click(sphere, a);
+        click(sphere, b);
+        QCOMPARE(tool().stops().size(), size_t(1));
+        QVERIFY(tool().hint({}).startsWith("Preparing"));
+        QTRY_COMPARE_WITH_TIMEOUT(tool().stops().size(), size_t(2), 20000);
+        QCOMPARE(tool().stops()[1].way.front(), a);
+        QCOMPARE(tool().stops()[1].way.back(), b);
+        QTest::keyClick(&view(), Qt::Key_Return);
+        settle();
+        QVERIFY(boundary(document().shownMesh(mesh()), ElementKind::Edge).indices.size() > 4);
     }
 };
 

@@ -68,6 +68,20 @@ private slots:
         QVERIFY(said.contains("to plane"));
     }
 
+    // The tables of a large mesh are made by a job; the edge under the pointer is judged when they are there.
+    void preparesALargeMeshForCollapses()
+    {
+        openSphere(6);
+        QTest::keyClick(&view(), Qt::Key_O);
+        auto& tool = static_cast<CollapseTool&>(view().tool(ToolKind::Collapse));
+        hoverAt(point(pixelOf({0, 0, 0})));
+        QTRY_VERIFY(tool.hovered().has_value());
+        QVERIFY(tool.hovered()->preparing && tool.hint({}).startsWith("Preparing"));
+        QTRY_VERIFY_WITH_TIMEOUT(!tool.hovered()->preparing, 20000);
+        QVERIFY(tool.hovered()->legal);
+        QTest::keyClick(&view(), Qt::Key_Q);
+    }
+
     void saysWhyAnEdgeStays()
     {
         const Mesh solid =

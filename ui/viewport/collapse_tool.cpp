@@ -6,7 +6,7 @@
 namespace mw {
 namespace {
 
-const glm::vec4 good(roleColor(Role::New), 1), bad(roleColor(Role::Removed), 1);
+const glm::vec4 good(roleColor(Role::New), 1), bad(roleColor(Role::Removed), 1), white(1);
 
 const DrawObject* objectOf(const Frame& frame, NodeId node)
 {
@@ -17,15 +17,14 @@ const DrawObject* objectOf(const Frame& frame, NodeId node)
 
 }  // namespace
 
-EdgeCollapser& CollapseTool::collapserOf(const Mesh& mesh)
-{
-    const bool same = collapser_ && mesh_.positions().id() == mesh.positions().id() && mesh_.cornerVertex().id() == mesh.cornerVertex().id();
-    if (!same) {
-        collapser_ = std::make_unique<EdgeCollapser>(mesh);
-        mesh_ = mesh;
-    }
-    return *collapser_;
-}
+CollapseTool::CollapseTool(ToolView& view)
+    : Tool(view),
+      collapser_(
+          "Edge tables", [](const Mesh& mesh, uint32_t) { return std::make_shared<EdgeCollapser>(mesh); },
+          [this] {
+              if (hover_) rest(last_);
+          })
+{}
 
 // A modifier goes to the end of the stack: what is in view must be what the stack gives, as it is at rest.
 QString CollapseTool::obstacle(NodeId node) const
@@ -56,16 +55,20 @@ std::optional<CollapseTool::Hover> CollapseTool::at(const PointerEvent& e)
     h.second = world(o->mesh.positions()[h.b]);
     h.reason = o->pose ? QString("it is posed; let it stand at rest first") : obstacle(h.node);
     if (!h.reason.isEmpty()) return h;
-    EdgeCollapser& collapser = collapserOf(o->mesh);
-    const EdgeCollapser::Judgement j = collapser.judge(h.a, h.b, CollapsePlace::Optimal);
+    const auto collapser = collapser_.of(session().jobs, o->mesh);
+    h.reason = collapser_.failure();
+    h.preparing = !collapser && h.reason.isEmpty();
+    if (!collapser) return h;
+    const EdgeCollapser::Judgement j = collapser->judge(h.a, h.b, CollapsePlace::Optimal);
     h.legal = j.legal();
     h.reason = QString::fromStdString(reasonAgainst(j));
-    h.to = world(collapser.mesh().position(j.place));
+    h.to = world(collapser->mesh().position(j.place));
     return h;
 }
 
 void CollapseTool::rest(const PointerEvent& e)
 {
+    last_ = e;
     hover_ = at(e);
     view_.redraw();
 }
@@ -80,6 +83,7 @@ bool CollapseTool::click(const PointerEvent& e)
 {
     const auto h = at(e);
     if (!h) return false;  // beside every edge: it picks
+    if (h->preparing) return true;
     if (!h->legal) {
         if (session().trouble) session().trouble("This edge stays: " + h->reason);
         return true;
@@ -96,7 +100,9 @@ void CollapseTool::decorate(Frame& frame)
 {
     if (!hover_) return;
     const Hover& h = *hover_;
-    frame.points.push_back({glm::vec3(h.first), h.legal ? good : bad, 3.f, glm::vec3(h.second), !h.legal, true});
+    const glm::vec4 color = h.preparing ? white : h.legal ? good : bad;
+    frame.points.push_back({glm::vec3(h.first), color, 3.f, glm::vec3(h.second), !h.legal && !h.preparing, true});
+    if (h.preparing) return;
     if (h.legal) {
         for (const glm::dvec3& end : {h.first, h.second}) frame.points.push_back({glm::vec3(end), good, 1.6f, glm::vec3(h.to), true, true});
         frame.points.push_back({glm::vec3(h.to), good, 10, {}, false, true});
@@ -113,13 +119,14 @@ void CollapseTool::decorate(Frame& frame)
 QString CollapseTool::hint(Qt::KeyboardModifiers) const
 {
     if (!hover_) return "Point at an edge: green where it would go, or why it stays \u00b7 Click collapses it \u00b7 Drag orbits";
+    if (hover_->preparing) return "Preparing the tables of this mesh: a moment";
     if (!hover_->legal) return "It stays: " + hover_->reason;
     return QString("Click collapses the edge %1~%2 \u00b7 Ctrl+Z takes it back").arg(hover_->a).arg(hover_->b);
 }
 
 Qt::CursorShape CollapseTool::cursor() const
 {
-    return hover_ && !hover_->legal ? Qt::ForbiddenCursor : Qt::ArrowCursor;
+    return hover_ && !hover_->legal && !hover_->preparing ? Qt::ForbiddenCursor : Qt::ArrowCursor;
 }
 
 }  // namespace mw

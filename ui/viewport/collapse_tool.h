@@ -1,15 +1,14 @@
 // Collapsing edges by hand: the edge under the pointer shows where it would go, or why it may not; a click adds the collapse to the modifiers.
 #pragma once
-#include <memory>
-
 #include "core/simplify/collapse_edge.h"
+#include "ui/viewport/prepared.h"
 #include "ui/viewport/tool.h"
 
 namespace mw {
 
 class CollapseTool : public Tool {
 public:
-    using Tool::Tool;
+    explicit CollapseTool(ToolView& view);
     bool click(const PointerEvent& e) override;
     void rest(const PointerEvent& e) override;
     void leave() override;
@@ -24,6 +23,7 @@ public:
         uint32_t a = none, b = none;
         glm::dvec3 first{0}, second{0}, to{0};  ///< world
         bool legal = false;
+        bool preparing = false;  ///< whether it is legal is known as soon as the tables of the mesh are there
         QString reason;
         glm::dvec2 pointer{0};
     };
@@ -31,12 +31,11 @@ public:
 
 private:
     std::optional<Hover> at(const PointerEvent& e);
-    EdgeCollapser& collapserOf(const Mesh& mesh);
     QString obstacle(NodeId node) const;  ///< what keeps the node's edges from being collapsed; empty: nothing
 
     std::optional<Hover> hover_;
-    Mesh mesh_;  // of the collapser
-    std::unique_ptr<EdgeCollapser> collapser_;
+    PointerEvent last_;
+    Prepared<EdgeCollapser> collapser_;
 };
 
 }  // namespace mw

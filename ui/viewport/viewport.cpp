@@ -11,6 +11,7 @@
 #include "ui/variants.h"
 #include "ui/viewport/brush_tool.h"
 #include "ui/viewport/collapse_tool.h"
+#include "ui/viewport/cut_tool.h"
 #include "ui/viewport/measure_tool.h"
 #include "ui/viewport/region_tool.h"
 #include "ui/viewport/select_tool.h"
@@ -28,6 +29,7 @@ Viewport::Viewport(Session& session, std::shared_ptr<HeatService> heats, int vie
     for (const ToolKind k : {ToolKind::Move, ToolKind::Rotate, ToolKind::Scale}) tools_[size_t(k)] = std::make_unique<TransformTool>(*this, k);
     tools_[size_t(ToolKind::Measure)] = std::make_unique<MeasureTool>(*this);
     tools_[size_t(ToolKind::Collapse)] = std::make_unique<CollapseTool>(*this);
+    tools_[size_t(ToolKind::Cut)] = std::make_unique<CutTool>(*this);
     auto brush = std::make_unique<BrushTool>(*this);
     brush_ = brush.get();
     tools_[size_t(ToolKind::Brush)] = std::move(brush);
@@ -126,7 +128,7 @@ void Viewport::paintGL()
     frame_.camera = look().camera;
     const size_t marks = frame_.marks.size(), points = frame_.points.size(), labels = frame_.labels.size();
     if (hoverMark_ && !session_.steps.isOpen()) frame_.marks.push_back(*hoverMark_);
-    if (hoverValue_ && !session_.steps.isOpen() && tool().marksHover()) frame_.labels.push_back(*hoverValue_);
+    if (hoverValue_ && !look().colourBy.isEmpty() && !session_.steps.isOpen() && tool().marksHover()) frame_.labels.push_back(*hoverValue_);
     if (dragTool_ && dragTool_ != &tool()) dragTool_->decorate(frame_);
     if (toolIdle() && (session_.view.tool != ToolKind::Brush || drag_ == Drag::None || drag_ == Drag::Pending || drag_ == Drag::Tool))
         tool().decorate(frame_);

@@ -101,7 +101,7 @@ private:
     Session& session_;
     std::shared_ptr<HeatService> heats_;
     const int view_;
-    std::array<std::unique_ptr<Tool>, 9> tools_;  // by ToolKind
+    std::array<std::unique_ptr<Tool>, 10> tools_;  // by ToolKind
     BrushTool* brush_ = nullptr;
     Tool* dragTool_ = nullptr;  // whose drag goes on
     std::unique_ptr<Renderer> renderer_;

@@ -73,6 +73,7 @@ class CurveLabTest : public QObject {
 private slots:
     void pointsByHand();
     void pointsByKeyAndNumber();
+    void nothingIsHidden();
     void schemesAndMasks();
     void steppingAndCommand();
     void pictures();
@@ -124,6 +125,29 @@ void CurveLabTest::pointsByKeyAndNumber()
     QCOMPARE(d.table()->item(3, 1)->text(), QString("-2.5"));
     d.press("curveReset");
     QCOMPARE(d.canvas()->points()[3], glm::dvec2(0, 1));
+}
+
+// What is typed far away comes into sight, and the legend goes where no point is.
+void CurveLabTest::nothingIsHidden()
+{
+    Desk d;
+    d.table()->item(3, 1)->setText("-250");
+    QVERIFY(d.canvas()->rect().contains(d.place({0, -250})));
+    d.press("curveReset");
+    d.canvas()->grab();
+    for (const glm::dvec2& p : d.canvas()->points()) QVERIFY(!d.canvas()->legend().contains(d.place(p)));
+    const glm::dvec2 aside = d.canvas()->at(QPointF(d.canvas()->legend().center()));
+    d.table()->item(3, 0)->setText(QString::number(aside.x));
+    d.table()->item(3, 1)->setText(QString::number(aside.y));
+    d.canvas()->grab();  // paints
+    for (const glm::dvec2& p : d.canvas()->points()) {
+        QVERIFY(d.canvas()->rect().contains(d.place(p)));
+        QVERIFY(!d.canvas()->legend().contains(d.place(p)));
+    }
+    d.canvas()->setFocus();
+    d.canvas()->setSelected(0);
+    for (int i = 0; i < 100; ++i) QTest::keyClick(d.canvas(), Qt::Key_Left, Qt::ShiftModifier);
+    QVERIFY(d.canvas()->rect().contains(d.place(d.canvas()->points()[0])));
 }
 
 void CurveLabTest::schemesAndMasks()

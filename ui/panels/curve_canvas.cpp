@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "ui/look.h"
 #include "ui/theme.h"
@@ -24,6 +25,16 @@ double distanceToSegment(QPointF p, QPointF a, QPointF b)
     const double t = length > 0 ? std::clamp(QPointF::dotProduct(p - a, d) / length, 0.0, 1.0) : 0;
     const QPointF off = p - (a + t * d);
     return std::hypot(off.x(), off.y());
+}
+
+/// A box in a corner of another, 4 from its sides.
+QRect cornered(QSize size, Qt::Corner corner, const QRect& within)
+{
+    QRect box({}, size);
+    const bool right = corner == Qt::TopRightCorner || corner == Qt::BottomRightCorner;
+    const bool low = corner == Qt::BottomLeftCorner || corner == Qt::BottomRightCorner;
+    box.moveTo(right ? within.right() - box.width() - 3 : 4, low ? within.bottom() - box.height() - 3 : 4);
+    return box;
 }
 
 }  // namespace
@@ -49,16 +60,26 @@ QColor CurveCanvas::colorOf(size_t iteration)
 
 void CurveCanvas::setPolygon(Points points, bool closed)
 {
-    points_ = std::move(points);
+    const Points before = std::exchange(points_, std::move(points));
     closed_ = closed;
     selected_ = std::min(selected_, int(points_.size()) - 1);
-    if (!fitted_) fit();
+    if (before.empty()) fit();
+    for (size_t i = 0; i < points_.size(); ++i)
+        if (i >= before.size() || before[i] != points_[i]) keepInSight(int(i));
     update();
+}
+
+// Not while it is dragged: it would run away under the pointer.
+void CurveCanvas::keepInSight(int point)
+{
+    if (dragged_ < 0 && !QRectF(rect()).contains(placeOf(points_[size_t(point)]))) fit();
 }
 
 void CurveCanvas::setIterations(std::vector<Points> iterations)
 {
+    const bool grows = iterations.size() != iterations_.size();
     iterations_ = std::move(iterations);
+    if (grows && fitted_) fit();  // so does the legend
     update();
 }
 
@@ -80,8 +101,9 @@ void CurveCanvas::fit()
         high = glm::max(high, p);
     }
     const glm::dvec2 extent = glm::max(high - low, glm::dvec2(1e-6));
-    centre_ = 0.5 * (low + high);
-    scale_ = 0.72 * std::min(width() / extent.x, height() / extent.y);
+    const double strip = legendSize().height() < height() / 2 ? legendSize().height() : 0;  // the legend's, above
+    scale_ = 0.75 * std::min(width() / extent.x, (height() - strip) / extent.y);
+    centre_ = 0.5 * (low + high) + glm::dvec2(0, 0.5 * strip / scale_);
     fitted_ = true;
     update();
 }
@@ -175,6 +197,7 @@ void CurveCanvas::mouseMoveEvent(QMouseEvent* e)
     if (panning_) {
         const QPointF by = e->position() - last_;
         centre_ -= glm::dvec2(by.x(), -by.y()) / scale_;
+        fitted_ = false;
         last_ = e->position();
         update();
         return;
@@ -203,6 +226,7 @@ void CurveCanvas::mouseReleaseEvent(QMouseEvent* e)
     if (e->button() != Qt::LeftButton || dragged_ < 0) return;
     const int point = dragged_;
     dragged_ = -1;
+    keepInSight(point);
     if (moved_ || added_) emit edited(QString(added_ ? "add point %1" : "move point %1").arg(point + 1));
 }
 
@@ -211,6 +235,7 @@ void CurveCanvas::wheelEvent(QWheelEvent* e)
     const glm::dvec2 before = at(e->position());
     scale_ = std::clamp(scale_ * std::pow(1.0015, double(e->angleDelta().y())), 1e-3, 1e7);
     centre_ += before - at(e->position());
+    fitted_ = false;
     update();
     e->accept();
 }
@@ -222,6 +247,7 @@ void CurveCanvas::keyPressEvent(QKeyEvent* e)
     const auto move = [&](double x, double y) {
         if (selected_ < 0) return;
         points_[size_t(selected_)] += glm::dvec2(x, y) * step;
+        keepInSight(selected_);
         emit edited(QString("move point %1").arg(selected_ + 1));
         update();
     };
@@ -258,20 +284,49 @@ void CurveCanvas::resizeEvent(QResizeEvent*)
     fit();
 }
 
-void CurveCanvas::paintLegend(QPainter& p) const
+QSize CurveCanvas::legendSize() const
 {
     const QFontMetrics m(font());
-    int y = 8;
+    return {30 + m.horizontalAdvance("Iteration 10: N = 10,240"), (m.height() + 2) * int(iterations_.size() + 1) + 6};
+}
+
+QRect CurveCanvas::legend() const
+{
+    return cornered(legendSize(), legendCorner_, rect());
+}
+
+/// Where the legend hides the fewest points: of the polygon first, then of the curve.
+Qt::Corner CurveCanvas::freeCorner() const
+{
+    const auto hidden = [this](Qt::Corner corner) {
+        const QRectF box = cornered(legendSize(), corner, rect()).adjusted(-8, -8, 8, 8);
+        const auto inside = [&](const Points& points) {
+            return std::count_if(points.begin(), points.end(), [&](const glm::dvec2& q) { return box.contains(placeOf(q)); });
+        };
+        return std::pair(inside(points_), iterations_.empty() ? 0 : inside(iterations_.back()));
+    };
+    Qt::Corner best = Qt::TopLeftCorner;
+    for (const Qt::Corner c : {Qt::TopRightCorner, Qt::BottomLeftCorner, Qt::BottomRightCorner})
+        if (hidden(c) < hidden(best)) best = c;
+    return best;
+}
+
+void CurveCanvas::paintLegend(QPainter& p)
+{
+    if (dragged_ < 0) legendCorner_ = freeCorner();
+    const QFontMetrics m(font());
+    const QRect box = legend();
     QColor ground = tokens().field;
     ground.setAlphaF(0.8f);  // the polygon may run behind it
-    p.fillRect(QRect(4, 4, 30 + m.horizontalAdvance("Iteration 10: N = 10,240"), (m.height() + 2) * int(iterations_.size() + 1) + 6), ground);
+    p.fillRect(box, ground);
+    int y = box.top() + 4;
     for (size_t k = 0; k <= iterations_.size(); ++k) {
         const size_t n = k == 0 ? points_.size() : iterations_[k - 1].size();
         const QString text = (k == 0 ? QString("Polygon") : QString("Iteration %1").arg(k)) + ": N = " + look::count(n);
         p.setPen(QPen(colorOf(k), k == 0 ? 1.5 : 2.5));
-        p.drawLine(QPointF(10, y + 0.5 * m.height()), QPointF(26, y + 0.5 * m.height()));
+        p.drawLine(QPointF(box.left() + 6, y + 0.5 * m.height()), QPointF(box.left() + 22, y + 0.5 * m.height()));
         p.setPen(tokens().text);
-        p.drawText(34, y + m.ascent(), text);
+        p.drawText(box.left() + 30, y + m.ascent(), text);
         y += m.height() + 2;
     }
 }

@@ -10,7 +10,7 @@ namespace mw {
 
 /// A click beside everything adds a point (within a segment when it is near one, else at the end), a drag moves one, Shift keeps to one axis,
 /// Alt and a click removes it. Wheel: zoom to the pointer; middle button: pan; Home: fit. With the keyboard: comma and full stop choose a point,
-/// the arrows move it, Insert puts one after it, Delete removes it.
+/// the arrows move it, Insert puts one after it, Delete removes it. A point that an edit puts out of sight makes all fit again.
 class CurveCanvas : public QWidget {
     Q_OBJECT
 
@@ -25,6 +25,7 @@ public:
     void fit();
     QPointF placeOf(glm::dvec2 p) const;
     glm::dvec2 at(QPointF place) const;
+    QRect legend() const;                     ///< where it is drawn: in the corner where it hides the fewest points
     static QColor colorOf(size_t iteration);  ///< 0 is the polygon; of the theme in use
 
 signals:
@@ -46,16 +47,21 @@ private:
     size_t placeFor(QPointF place) const;
     void addPoint(size_t index, glm::dvec2 p, bool drag);
     void removePoint(int point);
-    void paintLegend(class QPainter& p) const;
+    void keepInSight(int point);
+    QSize legendSize() const;
+    Qt::Corner freeCorner() const;
+    void paintLegend(class QPainter& p);
 
     Points points_;
     std::vector<Points> iterations_;
-    bool closed_ = false, fitted_ = false;
+    bool closed_ = false;
+    bool fitted_ = false;  // nobody has zoomed or panned since all was made to fit
     int selected_ = -1, dragged_ = -1, hovered_ = -1;
     glm::dvec2 centre_{0}, dragStart_{0};
     double scale_ = 100;  // pixels a unit
     bool moved_ = false, added_ = false, panning_ = false;
     QPointF last_;
+    Qt::Corner legendCorner_ = Qt::TopLeftCorner;  // stays while a point is dragged
 };
 
 }  // namespace mw

@@ -96,6 +96,13 @@ struct Painter {
         }
     }
 
+    /// Lines a pixel apart would hide the colours under them: they fade with the room between them, as if the faces filled a unit square.
+    double lineShare() const
+    {
+        const double apart = view.perUnit / std::sqrt(double(std::max<size_t>(1, subject.mesh.faceCount())));
+        return std::clamp(apart / 6, 0.1, 1.0);
+    }
+
     /// All these faces as one shape, so that hatching runs through.
     void fill(QPainter& p, const std::vector<uint32_t>& faces, const QBrush& wash, const QBrush& hatch) const
     {
@@ -215,7 +222,7 @@ QImage uvPicture(const UvSubject& subject, const UvView& view, const UvOptions& 
     p.setRenderHint(QPainter::Antialiasing, subject.layout.kinds.size() < 60'000);
     if (options.colour != UvColour::None) all.colours(p);
     QColor inner = inTheme(options.theme, "#C8CED6", "#3A424B");
-    inner.setAlpha(options.colour == UvColour::None ? 150 : 90);
+    inner.setAlpha(int((options.colour == UvColour::None ? 150 : 90) * all.lineShare()));
     all.lines(p, UvLayout::Inside, QPen(inner, subject.layout.kinds.size() < 20'000 ? 1 : 0));
     if (all.stopped()) return {};
     QColor red("#FF6B5E"), wash = red;

@@ -263,6 +263,10 @@ void PlotPanel::append()
         plot_->graph(i)->addData(x, y, true);
     }
     if (fitted_) fit();
+    // Where the curve is not: a residual falls, a count rises.
+    const auto curve = plot_->graph(0)->data();
+    const bool falls = !curve->isEmpty() && curve->constBegin()->value > (curve->constEnd() - 1)->value;
+    plot_->axisRect()->insetLayout()->setInsetAlignment(0, (falls ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
     // Whole powers of ten where there are several, else one digit more.
     const QCPRange y = plot_->yAxis->range();
     if (logarithmic_) plot_->yAxis->setNumberPrecision(y.lower > 0 && y.upper / y.lower > 100 ? 0 : 1);

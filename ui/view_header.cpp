@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QPainter>
 #include <QSignalBlocker>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
 #include <QToolButton>
 
 #include "ui/actions.h"
@@ -39,9 +41,27 @@ QFrame* bar(QWidget* parent)
     return line;
 }
 
+/// Where it is narrow its text ends in an ellipsis; a style sheet's combo box cuts it off.
+class ElidedComboBox : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QStylePainter painter(this);
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        painter.drawComplexControl(QStyle::CC_ComboBox, option);
+        const int room = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).width() - 4;
+        option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideRight, room);
+        painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+    }
+};
+
 QComboBox* colourBy(Session& session, Viewport& view, QWidget* parent)
 {
-    auto* combo = new QComboBox(parent);
+    auto* combo = new ElidedComboBox(parent);
     combo->setObjectName("colourBy");
     combo->setAccessibleName("Colour by");
     combo->setMinimumWidth(150);
@@ -168,7 +188,7 @@ void addShading(QHBoxLayout* line, Session& session, Viewport& view, Actions& a,
 
 QComboBox* cameraOf(Session& session, Viewport& view, QWidget* parent)
 {
-    auto* camera = new QComboBox(parent);
+    auto* camera = new ElidedComboBox(parent);
     camera->setAccessibleName("Camera");
     camera->setToolTip("Projection, or where to look from");
     camera->setFocusPolicy(Qt::TabFocus);
@@ -229,7 +249,7 @@ void showChoice(Session& session, Viewport& view, int choice)
 /// Which level of the active mesh this view shows, or what in place of its last modifier.
 QComboBox* levelOf(Session& session, Viewport& view, QWidget* parent)
 {
-    auto* combo = new QComboBox(parent);
+    auto* combo = new ElidedComboBox(parent);
     combo->setObjectName("shownLevel");
     combo->setAccessibleName("Shows");
     combo->setToolTip("What this view shows of the active mesh: its base, a level between, the result, or a variant of the last modifier");

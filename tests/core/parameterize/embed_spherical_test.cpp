@@ -161,7 +161,7 @@ TEST(EmbedSpherical, CancelIsHeardAllAlong)
     Stage<Mesh> stage(false);
     const test::Pulls pulls = test::pulled(embedSpherical(in.scene.find(in.scene.meshes().front())->base, {}, stage));
     EXPECT_GT(pulls.count, 200u);
-    EXPECT_LT(pulls.share(), 0.1) << pulls.longest << " of " << pulls.all << " s";
+    EXPECT_LT(pulls.share(), 0.25) << pulls.longest << " of " << pulls.all << " s";
 }
 
 TEST(SphereHierarchy, EveryVertexComesBack)

@@ -154,7 +154,7 @@ private:
 
 }  // namespace
 
-EdgeDistances edgeDistances(const Mesh& mesh, std::span<const uint32_t> starts, uint32_t target)
+EdgeDistances edgeDistances(const Mesh& mesh, std::span<const uint32_t> starts, uint32_t target, Progress* progress)
 {
     EdgeDistances d{Array<double>(mesh.vertexCount(), unreached), Array<uint32_t>(mesh.vertexCount(), none)};
     using Entry = std::pair<double, uint32_t>;
@@ -163,10 +163,12 @@ EdgeDistances edgeDistances(const Mesh& mesh, std::span<const uint32_t> starts, 
         d.distance[v] = 0;
         queue.emplace(0.0, v);
     }
+    size_t settled = 0;
     while (!queue.empty()) {
         const auto [far, v] = queue.top();
         queue.pop();
         if (far > d.distance[v]) continue;
+        if (progress) progress->at(float(++settled) / float(mesh.vertexCount()));
         if (v == target) break;
         for (const uint32_t w : mesh.rings().neighboursOf(v)) {
             const double there = far + length(mesh, v, w);

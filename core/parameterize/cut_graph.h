@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/mesh/mesh.h"
+#include "core/steps/progress.h"
 
 namespace mw {
 
@@ -11,8 +12,8 @@ struct EdgeDistances {
     Array<double> distance;  ///< infinite where there is no way
     Array<uint32_t> before;  ///< the vertex before it on the way; none at a start
 };
-/// `target`: stops there. O(n log n).
-EdgeDistances edgeDistances(const Mesh& mesh, std::span<const uint32_t> starts, uint32_t target = none);
+/// `target`: stops there. Hears a cancel at each vertex. O(n log n).
+EdgeDistances edgeDistances(const Mesh& mesh, std::span<const uint32_t> starts, uint32_t target = none, Progress* progress = nullptr);
 
 /// Vertices of the shortest way along edges, both ends included. Empty when there is none.
 std::vector<uint32_t> edgePath(const Mesh& mesh, uint32_t from, uint32_t to);

@@ -20,7 +20,7 @@ const DrawObject* objectOf(const Frame& frame, NodeId node)
 CollapseTool::CollapseTool(ToolView& view)
     : Tool(view),
       collapser_(
-          "Edge tables", [](const Mesh& mesh, uint32_t) { return std::make_shared<EdgeCollapser>(mesh); },
+          "Edge tables", [](const Mesh& mesh, uint32_t, Progress&) { return std::make_shared<EdgeCollapser>(mesh); },
           [this] {
               if (hover_) rest(last_);
           })

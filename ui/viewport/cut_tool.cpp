@@ -52,7 +52,9 @@ CutTool::CutTool(ToolView& view)
     : Tool(view),
       ways_(
           "Ways along edges",
-          [](const Mesh& mesh, uint32_t vertex) { return std::make_shared<EdgeDistances>(edgeDistances(mesh, std::span(&vertex, 1))); },
+          [](const Mesh& mesh, uint32_t vertex, Progress& progress) {
+              return std::make_shared<EdgeDistances>(edgeDistances(mesh, std::span(&vertex, 1), none, &progress));
+          },
           [this] { prepared(); })
 {}
 
@@ -148,9 +150,9 @@ void CutTool::showWay()
 
 void CutTool::rest(const PointerEvent& e)
 {
-    hover_ = under(e);
-    if (hover_ && !obstacle(*hover_).isEmpty()) hover_.reset();
-    showWay();
+    auto at = under(e);
+    if (at && !obstacle(*at).isEmpty()) at.reset();
+    if (std::exchange(hover_, at) != at) showWay();
 }
 
 void CutTool::leave()

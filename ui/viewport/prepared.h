@@ -12,8 +12,8 @@ namespace mw {
 template <class Made>
 class Prepared {
 public:
-    /// `vertex`: what it is made for, none when it is of the mesh alone. Runs on a worker.
-    using Make = std::function<std::shared_ptr<Made>(const Mesh& mesh, uint32_t vertex)>;
+    /// `vertex`: what it is made for, none when it is of the mesh alone. Runs on a worker, and hears its cancel by `progress`.
+    using Make = std::function<std::shared_ptr<Made>(const Mesh& mesh, uint32_t vertex, Progress& progress)>;
     /// `name`: of the job, for people. `ready`: called when one has ended, well or not; never after this has gone.
     Prepared(QString name, Make make, std::function<void()> ready) : name_(std::move(name)), make_(std::move(make)), ready_(std::move(ready)) {}
 
@@ -23,8 +23,8 @@ public:
         if (wanted_ && sameMesh(wanted_->mesh, mesh) && wanted_->vertex == vertex && !wasCancelled(jobs)) return wanted_->made;
         drop(jobs);
         wanted_ = std::make_shared<Wanted>(Wanted{mesh, vertex, nullptr, {}, 0});
-        if (mesh.faceCount() <= atOnce)
-            wanted_->made = make_(mesh, vertex);
+        if (Progress here; mesh.faceCount() <= atOnce)
+            wanted_->made = make_(mesh, vertex, here);
         else
             start(jobs);
         return wanted_->made;
@@ -62,7 +62,7 @@ private:
             name_,
             [make = make_, mesh = wanted_->mesh, vertex = wanted_->vertex, end](Progress& progress) -> std::function<void()> {
                 progress.at(0);
-                return [end, made = make(mesh, vertex)] { end(made, {}); };
+                return [end, made = make(mesh, vertex, progress)] { end(made, {}); };
             },
             [end](const QString& text) { end(nullptr, text); });
     }

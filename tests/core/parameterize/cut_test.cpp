@@ -78,6 +78,19 @@ TEST(Cut, AWayOfEdgesOpensOneLoop)
     EXPECT_EQ(applied("cut", ball, "method=shortest,vertices=3;0").vertexCount(), out.vertexCount());
 }
 
+TEST(Cut, WaysSayHowFarTheyAreAndHearACancel)
+{
+    const Mesh ball = source("icosphere", "subdivisions=3");
+    const uint32_t start[] = {0};
+    Progress progress;
+    const EdgeDistances asked = edgeDistances(ball, start, none, &progress), alone = edgeDistances(ball, start);
+    EXPECT_TRUE(std::equal(asked.distance.begin(), asked.distance.end(), alone.distance.begin(), alone.distance.end()));
+    EXPECT_FLOAT_EQ(progress.fraction, 1);
+    Progress cancelled;
+    cancelled.cancelled = true;
+    EXPECT_THROW(edgeDistances(ball, start, none, &cancelled), Cancelled);
+}
+
 TEST(Cut, OneEdgeInsideOpensNothingAndARingSeparates)
 {
     const Mesh box = cube().mesh();

@@ -22,6 +22,7 @@ struct Camera {
     bool perspective = true;
     double nearClip = 0.01, farClip = 1000;  ///< kept by fitClip()
 
+    bool operator==(const Camera&) const = default;
     glm::dvec3 eye() const;
     glm::dmat4 viewFromWorld() const;
     glm::dmat4 clipFromView(double aspect) const;

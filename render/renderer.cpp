@@ -5,6 +5,7 @@
 #include "render/draw_context.h"
 #include "render/heat_values.h"
 #include "render/id_buffer.h"
+#include "render/kept_picture.h"
 #include "render/overlay.h"
 
 namespace mw {
@@ -12,6 +13,7 @@ namespace mw {
 struct Renderer::Impl {
     GpuState gpu;
     IdBuffer ids;
+    KeptPicture kept;
     Canvas canvas;
     Counts counts;
 };
@@ -46,6 +48,25 @@ void clear(const Frame& frame)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+/// All that stays while the pointer moves.
+void drawScene(DrawContext& c, unsigned target)
+{
+    c.gpu.terrains.beginFrame();
+    c.gpu.posing.beginFrame();
+    drawShadowMap(c, target);
+    clear(c.frame);
+    drawBackground(c);
+    drawSurfaces(c);
+    drawTerrains(c);
+    drawGroundShadow(c);
+    drawGrid(c);
+    drawWires(c);
+    drawEdgeHeat(c);
+    drawLoose(c);
+    drawOutlines(c, target);
+    drawBones(c);
+}
+
 }  // namespace
 
 Renderer::Renderer() : impl_(std::make_unique<Impl>())
@@ -64,24 +85,14 @@ void Renderer::draw(const Frame& frame, unsigned target, glm::ivec2 size)
     if (size.x < 1 || size.y < 1) return;
     GpuState& gpu = impl_->gpu;
     gpu.cache.beginFrame();
-    gpu.terrains.beginFrame();
     gpu.layouts.forgetDead();
-    gpu.posing.beginFrame();
     DrawContext c(gpu, frame, size);
     cleanState(gpu.vertexArray.id(), target, size);
     uploadFrameBlocks(c);
-    drawShadowMap(c, target);
-    clear(frame);
-    drawBackground(c);
-    drawSurfaces(c);
-    drawTerrains(c);
-    drawGroundShadow(c);
-    drawGrid(c);
-    drawWires(c);
-    drawEdgeHeat(c);
-    drawLoose(c);
-    drawOutlines(c, target);
-    drawBones(c);
+    if (!impl_->kept.restore(c, target)) {
+        drawScene(c, target);
+        impl_->kept.keep(c, target);
+    }
     drawMarks(c);
     drawLabels(c, impl_->canvas);
     drawLegend(c, impl_->canvas);

@@ -134,6 +134,7 @@ struct ViewOptions {
 
 struct Frame {
     Camera camera;
+    uint64_t scene = 0;  ///< the same in two frames: they differ in camera, marks, points, labels and flats alone; 0: nothing is known
     ViewOptions options;
     std::vector<DrawObject> objects = {};
     std::vector<DrawTerrain> terrains = {};
@@ -173,9 +174,10 @@ public:
     std::optional<Pick> pick(const Frame& frame, glm::ivec2 size, glm::dvec2 pixel);
     /// All faces visible in a region, ascending, by node; a terrain without faces.
     std::vector<std::pair<NodeId, std::vector<uint32_t>>> visibleFaces(const Frame& frame, glm::ivec2 size, const Region& region);
-    /// Triangles and vertices sent by the last draw(), and bytes uploaded by it.
+    /// Triangles and vertices of the last picture, and bytes uploaded for it.
     struct Counts {
         size_t triangles = 0, vertices = 0, uploadedBytes = 0;
+        bool kept = false;  ///< what lies beneath the marks was drawn before
     };
     Counts counts() const;
 

@@ -59,7 +59,7 @@ void makeGroundHud(Session& session, Viewport& viewport)
         const Terrain& t = scene.find(scene.terrains().front())->terrain;
         const glm::ivec2 patches = patchesOf(t);
         QString said =
-            QString("Triangles <b>%1</b> &nbsp; %2 patches").arg(grouped(viewport.trianglesDrawn()), grouped(size_t(patches.x) * size_t(patches.y)));
+            QString("Triangles <b>%1</b> &nbsp; %2 patches").arg(grouped(viewport.drawn().triangles), grouped(size_t(patches.x) * size_t(patches.y)));
         if (const auto& g = session.view.ground) said += QString(" &nbsp; Height at cursor <b>%1 m</b>").arg(g->local.y, 0, 'f', 1);
         if (said == text->text()) return;
         text->setText(said);

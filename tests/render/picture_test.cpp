@@ -214,7 +214,7 @@ TEST_F(Pictures, PointCloudsAndLooseLinesAreDrawn)
 {
     const Mesh points(Array<glm::vec3>{{0, 0, 0}, {1, 1, 0}}, {}, {});
     Frame f = frameWith(points);
-    const Picture empty = draw(Frame{f.camera, f.options, {}, {}, {}, {}});
+    const Picture empty = draw(Frame{f.camera, 0, f.options, {}, {}, {}, {}});
     EXPECT_GT(distance(at(draw(f), f.camera, {1, 1, 0}), at(empty, f.camera, {1, 1, 0})), 60);
     f.objects[0].mesh = points.withLines(Array<uint32_t>{0u, 1u});
     const Picture line = draw(f);
@@ -312,6 +312,53 @@ TEST_F(Pictures, NothingIsUploadedTwice)
     EXPECT_EQ(offscreen_->renderer().counts().uploadedBytes, 2 * sizeof(glm::vec3) * f.objects[0].mesh.vertexCount());
     draw(f);
     EXPECT_EQ(offscreen_->renderer().counts().uploadedBytes, 0u);
+}
+
+// Marks over a scene that stays are drawn over what was kept of it; the picture is the same as one drawn anew.
+TEST_F(Pictures, WhatLiesBeneathMarksIsKept)
+{
+    Frame f = frameWith(sphere(7));  // 327,680 triangles
+    f.options.legend = f.options.orientationMarker = f.options.grid = true;
+    f.objects[0].selected = true;
+    Mark hidden{NodeId{7}, ElementKind::Vertex, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, glm::vec4(1), 15}, edges = hidden;
+    edges.kind = ElementKind::Edge;
+    edges.through = true;
+    const auto kept = [&] { return offscreen_->renderer().counts().kept; };
+    for (const int samples : {0, 4}) {
+        SCOPED_TRACE(samples);
+        f.options.samples = samples;
+        f.marks.clear();
+        f.scene = 0;
+        const Picture bare = draw(f);
+        EXPECT_FALSE(kept());
+        f.marks = {hidden, edges};
+        f.labels = {{glm::vec3(0, 1, 0), "label", glm::vec4(1)}};
+        const Picture marked = draw(f);
+        EXPECT_NE(marked.rgba, bare.rgba);
+
+        f.scene = 1;
+        EXPECT_EQ(draw(f).rgba, marked.rgba);
+        EXPECT_FALSE(kept()) << "nothing was known of the frame before";
+        EXPECT_EQ(draw(f).rgba, marked.rgba);
+        EXPECT_TRUE(kept());
+        EXPECT_EQ(offscreen_->renderer().counts().triangles, f.objects[0].mesh.faceCount());
+        f.marks.clear();
+        f.labels.clear();
+        EXPECT_EQ(draw(f).rgba, bare.rgba) << "marks leave nothing behind";
+        EXPECT_TRUE(kept());
+    }
+    const Picture before = draw(f);
+    f.camera.azimuth = 0.5;
+    EXPECT_NE(draw(f).rgba, before.rgba);
+    EXPECT_FALSE(kept());
+    f.scene = 2;
+    draw(f);
+    EXPECT_FALSE(kept());
+    f.objects[0].mesh = sphere(3);  // as soon drawn as copied
+    f.scene = 3;
+    draw(f);
+    draw(f);
+    EXPECT_FALSE(kept());
 }
 
 TEST_F(Pictures, TheSameTwiceAndInAnotherContext)

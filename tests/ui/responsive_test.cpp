@@ -10,6 +10,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/file_commands.h"
 #include "ui/stack_edits.h"
+#include "ui/viewport/cut_tool.h"
 #include "ui/viewport/viewport.h"
 
 using namespace mw;
@@ -165,6 +166,39 @@ private slots:
         perform([this] { document().undo(); });
         perform([this] { document().undo(); });
         settleAndCheck("undo twice");
+    }
+
+    // The first pick after the camera has moved draws the id buffer; all that follow, and the marks over the scene, are cheap however large it is.
+    void whileALargeMeshIsCut()
+    {
+        openLarge();
+        Viewport& view = w_->viewport();
+        view.frameAll(false);
+        settleAndCheck("open");
+        QTest::keyClick(&view, Qt::Key_K);
+        const auto at = [&](int x, int y) { return view.rect().center() + QPoint(x, y); };
+        perform([&] { view.pick({view.width() / 2.0, view.height() / 2.0}); });
+        settleAndCheck("cut: first pick", 1000);
+        const auto hover = [&](QPoint p, const char* doing) {
+            const size_t drawn = view.framesDrawn();
+            QTest::mouseMove(&view, p);
+            QTRY_VERIFY_WITH_TIMEOUT(view.framesDrawn() > drawn, 20000);
+            settleAndCheck(doing);
+            QVERIFY2(view.drawn().kept, doing);
+        };
+        auto& tool = static_cast<CutTool&>(view.tool(ToolKind::Cut));
+        hover(at(0, 30), "cut: hover");
+        QTest::mouseClick(&view, Qt::LeftButton, {}, at(20, 30));
+        settleAndCheck("cut: click");
+        QCOMPARE(tool.stops().size(), size_t(1));
+        hover(at(60, 30), "cut: hover for a way");
+        QVERIFY(!tool.way().empty());
+        hover(at(80, 40), "cut: hover for another");
+        QVERIFY(!tool.way().empty());
+        if (const QString folder = qEnvironmentVariable("MESHWRIGHT_PICTURES"); !folder.isEmpty()) w_->grab().save(folder + "/cut-large.png");
+        QTest::mouseClick(&view, Qt::LeftButton, {}, at(80, 40));
+        settleAndCheck("cut: second click");
+        QCOMPARE(tool.stops().size(), size_t(2));
     }
 
     void cancelIsHeardAtOnce()

@@ -114,6 +114,7 @@ const Frame& Viewport::frame()
     if (!stale_) return frame_;
     stale_ = false;
     frame_ = buildFrame(session_, look(), *heats_);
+    ++framesBuilt_;
     frame_.options.pixelRatio = devicePixelRatioF();
     return frame_;
 }
@@ -132,6 +133,9 @@ void Viewport::paintGL()
     if (dragTool_ && dragTool_ != &tool()) dragTool_->decorate(frame_);
     if (toolIdle() && (session_.view.tool != ToolKind::Brush || drag_ == Drag::None || drag_ == Drag::Pending || drag_ == Drag::Tool))
         tool().decorate(frame_);
+    // The brush lies on the ground itself; all else that tools show lies over the scene.
+    if (std::none_of(frame_.terrains.begin(), frame_.terrains.end(), [](const DrawTerrain& t) { return t.brush.has_value(); }))
+        frame_.scene = framesBuilt_;
     try {
         renderer_->draw(frame_, defaultFramebufferObject(), deviceSize());
     } catch (const std::exception& e) {
@@ -142,8 +146,9 @@ void Viewport::paintGL()
     frame_.points.resize(points);
     frame_.labels.resize(labels);
     frame_.flats.clear();
+    frame_.scene = 0;
     for (DrawTerrain& t : frame_.terrains) t.brush.reset();
-    trianglesDrawn_ = renderer_ ? renderer_->counts().triangles : 0;
+    drawn_ = renderer_ ? renderer_->counts() : Renderer::Counts();
     emit painted();
 }
 

@@ -43,7 +43,7 @@ public:
     std::optional<Pick> pick(glm::dvec2 at) override { return pickAt({at.x, at.y}); }
     std::vector<std::pair<NodeId, std::vector<uint32_t>>> visibleFaces(const Region& region) override;
     void redraw() override { update(); }
-    size_t trianglesDrawn() const { return trianglesDrawn_; }
+    const Renderer::Counts& drawn() const { return drawn_; }  ///< of the last frame
     void setContextMenu(QMenu* menu) { menu_ = menu; }
     size_t framesDrawn() const { return framesDrawn_; }
     const Frame& frame();
@@ -121,7 +121,8 @@ private:
     glm::dvec3 pivot_{0};
     QTimer hoverTimer_;
     QVariantAnimation flight_;
-    size_t framesDrawn_ = 0, trianglesDrawn_ = 0;
+    size_t framesBuilt_ = 0, framesDrawn_ = 0;
+    Renderer::Counts drawn_;
 };
 
 }  // namespace mw

@@ -298,9 +298,11 @@ void Viewport::hover()
     const bool same = node == session_.view.hovered && mark.has_value() == hoverMark_.has_value() &&
                       (!mark || (mark->indices == hoverMark_->indices && mark->node == hoverMark_->node));
     if (same) return;
-    session_.view.hovered = node;
     hoverMark_ = std::move(mark);
-    refresh();
+    if (std::exchange(session_.view.hovered, node) != node)
+        refresh();
+    else
+        update();  // the mark lies over the scene
 }
 
 // What the colours say at the pointer.

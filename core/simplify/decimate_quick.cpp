@@ -16,7 +16,8 @@ namespace {
 
 using namespace quick;
 
-constexpr size_t slice = 8192;       // entries of the queue between two looks at whether to stop
+constexpr size_t slice = 1 << 16;    // entries of the queue between two looks at whether to stop
+constexpr size_t atOnce = 16;        // regions that are begun between two looks
 constexpr int blockFaces = 1 << 14;  // half a megabyte of faces and as much of vertices
 constexpr double growth = 3;         // octaves of cost while the faces become half as many
 
@@ -33,7 +34,7 @@ public:
     QuickDecimation(Mesh input, const DecimateQuadric& p, bool watched);
 
     bool usesPieces() const { return usesPieces_; }
-    /// Works on all pieces for a while; false when they are done.
+    /// Works on some pieces for a while; false when all are done.
     bool runPieces();
     bool raise();
     /// From here on one worker has everything.
@@ -59,7 +60,7 @@ private:
 
     const DecimateQuadric parameters_;
     size_t first_, target_, gone_ = 0;
-    double slack_;
+    double slack_;  // how many times the target the regions leave: few cheap collapses must be chosen from more
     std::vector<Piece> pieces_;
     std::unique_ptr<Worker> whole_;
     uint32_t cap_ = 0;
@@ -92,9 +93,11 @@ QuickDecimation::QuickDecimation(Mesh input, const DecimateQuadric& p, bool watc
     : tables(input, rulesOf(p, input), watched), parameters_(p), first_(tables.faces.size()), target_(targetOf(p, first_))
 {
     const bool blocks = p.quality == DecimateQuadric::Quality::Fast;
-    slack_ = double(target_) < 0.05 * double(first_) ? 4 : 2;
+    const double share = double(target_) / double(std::max<size_t>(first_, 1));
+    slack_ = share < 0.05 ? 4 : share < 0.2 ? 3 : 2;
     block_ = blocks ? blockFaces : int(first_);
-    usesPieces_ = p.stop != DecimateQuadric::Stop::Error && (blocks || tables.regions.size() > 1) && double(first_) > 1.5 * slack_ * double(target_);
+    const bool pieces = blocks ? first_ > size_t(blockFaces) : tables.regions.size() > 1;
+    usesPieces_ = p.stop != DecimateQuadric::Stop::Error && pieces && double(first_) > 1.5 * slack_ * double(target_);
     cap_ = firstCap();
     for (const Region& r : tables.regions) {
         if (!usesPieces_) break;
@@ -147,24 +150,19 @@ bool QuickDecimation::openBlock(Piece& p)
 
 bool QuickDecimation::runPiece(Piece& p)
 {
-    for (int blocks = 0; blocks < 2; ++blocks) {
-        if (!p.blockOpen && !openBlock(p)) return false;
-        if (p.worker->run(cap_, slice, p.most)) return true;
-        p.blockOpen = false;
-        if (p.worker->removed() >= p.most) return false;
-    }
-    return true;
+    if (!p.blockOpen && !openBlock(p)) return false;
+    p.blockOpen = p.worker->run(cap_, slice, p.most);
+    return p.worker->removed() < p.most;
 }
 
 bool QuickDecimation::runPieces()
 {
+    std::vector<Piece*> some;
+    for (Piece& p : pieces_)
+        if (!p.done && some.size() < atOnce) some.push_back(&p);
     tbb::parallel_for(
-        size_t(0), pieces_.size(), size_t(1),
-        [&](size_t i) {
-            if (!pieces_[i].done) pieces_[i].done = !runPiece(pieces_[i]);
-        },
-        tbb::simple_partitioner());
-    return !std::all_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.done; });
+        size_t(0), some.size(), size_t(1), [&](size_t i) { some[i]->done = !runPiece(*some[i]); }, tbb::simple_partitioner());
+    return !some.empty();
 }
 
 // Another octave when that leaves enough. What waits between the regions does not count: there faces are still small.

@@ -2,7 +2,7 @@
 // heap over half-edges, and closer to the surface: nothing is remembered (Hoppe 1999), the volume is kept (Lindstrom and Turk 1998), and collapses
 // are spread more evenly than by strict greed.
 //
-//   fast      in blocks that fit into the cache, up to a cost that leaves about twice the faces; then as balanced
+//   fast      in blocks that fit into the cache, where there is more than one, up to a cost that leaves two to four times the faces; then as balanced
 //   balanced  one queue of buckets, the cheapest first
 //   best      balanced, then the vertices are fitted to the old surface (quick_fit.h)
 //

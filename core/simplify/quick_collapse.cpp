@@ -3,20 +3,27 @@
 
 #include <cmath>
 
+#include "core/simplify/lanes.h"
+
 namespace mw::quick {
 
 /// The ring of the new vertex. Half-edge out[i] belongs to face i, which has around[i] and around[i + 1] on its far side; the first `ofA` faces come
-/// from the first end. around[0] and around[ofA] are the tips of the two faces that go; those are `size` and `size` + 1 in `before`. Places are
-/// relative to the first end, normals as long as twice the area.
+/// from the first end. around[0] and around[ofA] are the tips of the two faces that go. Places are relative to the first end, normals as long as
+/// twice the area. Lists go on in a circle beyond `size`, as far as four at a time may read.
 struct Collapser::Ring {
+    static constexpr int beyond = 2 * lanes, capacity = mostRing + beyond;
+    using List = VectorList<capacity>;
+
     int a, b, size = 0, ofA = 0;
-    int out[mostRing], around[mostRing + 2];
-    Float4 apart, to, arm[mostRing + 2], before[mostRing + 2], after[mostRing + 2];
-    alignas(16) float sizeBefore[mostRing + 4], sizeAfter[mostRing + 4], perBefore[mostRing + 4], perAfter[mostRing + 4];
+    int out[mostRing], around[capacity];
+    Float4 apart, to, goneA, goneB;  ///< normals of the faces that go, the one at the tip of either end
+    Vectors ofAll{}, ofB{};          ///< sums of normals
+    List arm, before, after;
+    alignas(16) float sizeBefore[capacity], sizeAfter[capacity];
 
     MW_INLINE bool sharesOthers() const;
     MW_INLINE void keepVolume(const Symmetric& qa, const Symmetric& qb);
-    MW_INLINE bool foldedInside() const;
+    bool foldedInside() const;
 };
 
 Attempt Collapser::attempt(int h, const Target& to)
@@ -31,6 +38,8 @@ Attempt Collapser::attempt(int h, const Target& to)
                 return {Refusal::Link};
             case Walk::Odd:
                 return {Refusal::Locked};
+            case Walk::Outside:
+                return {Refusal::None, true};
             case Walk::Open:
                 break;
         }
@@ -39,15 +48,16 @@ Attempt Collapser::attempt(int h, const Target& to)
 }
 
 // From a half-edge out of the vertex to the one that ends in `tip`.
-MW_INLINE bool Collapser::walkFan(int half, int tip, int& last, Ring& r) const
+MW_INLINE Collapser::Walk Collapser::walkFan(int half, int tip, int& last, Ring& r) const
 {
     for (;;) {
-        if (half < 0 || r.size >= mostRing - 2) return false;
+        if (half < 0 || r.size >= mostRing - 2) return Walk::Open;
         const Face& f = t_.faces[size_t(half >> 2)];
         const int k = half & 3, far = f.v[k == 2 ? 0 : k + 1];
+        if (!range_.holds(far)) return Walk::Outside;
         if (far == tip) {
             last = half;
-            return true;
+            return Walk::Closed;
         }
         r.out[r.size] = half;
         r.around[r.size++] = far;
@@ -60,10 +70,10 @@ MW_INLINE Collapser::Walk Collapser::walk(int h, Ring& r) const
 {
     const int g = t_.twin(h), tipA = t_.from(prev(h)), tipB = t_.from(prev(g));
     int last = -1;
-    if (!walkFan(t_.twin(prev(h)), tipB, last, r)) return Walk::Open;
+    if (const Walk a = walkFan(t_.twin(prev(h)), tipB, last, r); a != Walk::Closed) return a;
     if (last >> 2 != g >> 2) return Walk::Pinched;
     r.ofA = r.size;
-    if (!walkFan(t_.twin(prev(g)), tipA, last, r)) return Walk::Open;
+    if (const Walk b = walkFan(t_.twin(prev(g)), tipA, last, r); b != Walk::Closed) return b;
     if (last >> 2 != h >> 2) return Walk::Pinched;
     r.a = t_.from(h), r.b = t_.from(g);
     const Vertex &a = t_.vertices[size_t(r.a)], &b = t_.vertices[size_t(r.b)];
@@ -80,28 +90,40 @@ MW_INLINE bool Collapser::Ring::sharesOthers() const
     return shared;
 }
 
+/// The places of four vertices, from an origin.
+MW_INLINE Vectors Collapser::armsOf(const int* v, Float4 origin) const
+{
+    Float4 r[4];
+    for (int k = 0; k < 4; ++k) r[k] = t_.vertices[size_t(v[k])].place - origin;
+    transpose(r);
+    return {r[0], r[1], r[2]};
+}
+
 MW_INLINE void Collapser::measure(Ring& r) const
 {
     const Float4 origin = t_.vertices[size_t(r.a)].place;
     const int n = r.size;
     r.apart = t_.vertices[size_t(r.b)].place - origin;
-    for (int i = 0; i < n; ++i) r.arm[i] = t_.vertices[size_t(r.around[i])].place - origin;
-    r.arm[n] = r.arm[0];
-    for (int i = 0; i < r.ofA; ++i) r.before[i] = cross(r.arm[i], r.arm[i + 1]);
-    for (int i = r.ofA; i < n; ++i) r.before[i] = cross(r.arm[i] - r.apart, r.arm[i + 1] - r.apart);
-    r.before[n] = cross(r.apart, r.arm[0]);
-    r.before[n + 1] = cross(r.arm[r.ofA], r.apart);
+    for (int i = 0; i < Ring::beyond; ++i) r.around[n + i] = r.around[i];
+    for (int i = 0; i < n + lanes + 1; i += lanes) r.arm.set(i, armsOf(r.around + i, origin));
+    const Vectors apart = all(r.apart);
+    for (int i = 0; i < n; i += lanes) {
+        const Int4 there = below(i, n), atB = there & ~below(i, r.ofA);
+        const Vectors end = where(atB, apart), normal = cross(r.arm.from(i) - end, r.arm.from(i + 1) - end);
+        r.before.set(i, normal);
+        r.ofAll = r.ofAll + where(there, normal);
+        r.ofB = r.ofB + where(atB, normal);
+    }
+    r.goneA = cross(r.apart, r.arm[0]);
+    r.goneB = cross(r.arm[r.ofA], r.apart);
 }
 
 // The volume under the star is linear in the new place: it moves along (A + B)^-1 g until g . t = k (Lindstrom and Turk 1998 have it as a
 // constraint).
 MW_INLINE void Collapser::Ring::keepVolume(const Symmetric& qa, const Symmetric& qb)
 {
-    Float4 fromA = before[size] + before[size + 1], fromB = {};
-    for (int i = 0; i < ofA; ++i) fromA += before[i];
-    for (int i = ofA; i < size; ++i) fromB += before[i];
-    const double k = dot(fromB, apart);
-    const Float4 g = fromA + fromB;
+    const double k = dot(sum(ofB), apart);
+    const Float4 g = sum(ofAll) + goneA + goneB;
     double y[3];
     Adjugate(qa, qb).times(g[0], g[1], g[2], y);
     const double along = g[0] * y[0] + g[1] * y[1] + g[2] * y[2];
@@ -110,53 +132,60 @@ MW_INLINE void Collapser::Ring::keepVolume(const Symmetric& qa, const Symmetric&
     to += Float4{float(l * y[0]), float(l * y[1]), float(l * y[2]), 0};
 }
 
-// No face may turn far. One that had no area may go anywhere.
-MW_INLINE bool Collapser::turned(Ring& r) const
+// No face may turn far. One that had no area may go anywhere. No two neighbours in the ring may come to lie on each other that did not.
+MW_INLINE Refusal Collapser::shape(Ring& r) const
 {
-    const float limit = t_.rules.turn * t_.rules.turn;
-    const int n = r.size;
-    const Float4 first = r.arm[0] - r.to;
-    Float4 side = first;
-    bool bad = false;
-    for (int i = 0; i < n; ++i) {
-        const Float4 following = i + 1 < n ? r.arm[i + 1] - r.to : first;
-        const Float4 after = r.after[i] = cross(side, following);
-        side = following;
-        const float d = dot(r.before[i], after), u = r.sizeBefore[i] = dot(r.before[i], r.before[i]), v = r.sizeAfter[i] = dot(after, after);
-        bad |= !((d > 0 && d * d > limit * u * v) || (u == 0 && v > 0));
+    const Float4 limit = all(t_.rules.turn * t_.rules.turn), none = {};
+    const Vectors to = all(r.to);
+    Int4 turned = {}, folded = {};
+    for (int i = 0; i < r.size; i += lanes) {
+        const Vectors a = r.arm.from(i) - to, b = r.arm.from(i + 1) - to, c = r.arm.from(i + 2) - to;
+        const Vectors before = r.before.from(i), after = cross(a, b), following = cross(b, c);
+        const Float4 d = dot(before, after), u = dot(before, before), v = dot(after, after);
+        const Int4 there = below(i, r.size), fine = ((d > none) & (d * d > limit * u * v)) | ((u == none) & (v > none));
+        turned |= there & ~fine;
+        folded |= there & ~(dot(after, following) > none);
+        r.after.set(i, after);
+        __builtin_memcpy(r.sizeBefore + i, &u, sizeof u);
+        __builtin_memcpy(r.sizeAfter + i, &v, sizeof v);
     }
-    r.after[n] = r.after[0];
-    return bad;
+    if (any(turned)) return Refusal::Turn;
+    return any(folded) && r.foldedInside() ? Refusal::Fold : Refusal::None;
 }
 
-// No two neighbours in the ring may come to lie on each other that did not; where a face between them goes, one of them may have lain on that.
-MW_INLINE bool Collapser::Ring::foldedInside() const
+// Where two neighbours do lie on each other: whether they have not before; where a face between them goes, one of them may have lain on that.
+bool Collapser::Ring::foldedInside() const
 {
     for (int i = 0; i < size; ++i) {
-        if (__builtin_expect(dot(after[i], after[i + 1]) > 0, 1)) continue;
         const bool atA = i + 1 == size, atB = i + 1 == ofA;
-        const Float4 gone = before[atA ? size : size + 1], following = before[atA ? 0 : i + 1];
-        const bool was = atA || atB ? dot(before[i], gone) <= 0 || dot(gone, following) <= 0 : dot(before[i], following) <= 0;
+        const int j = atA ? 0 : i + 1;
+        if (dot(after[i], after[j]) > 0) continue;
+        const Float4 gone = atA ? goneA : goneB;
+        const bool was = atA || atB ? dot(before[i], gone) <= 0 || dot(gone, before[j]) <= 0 : dot(before[i], before[j]) <= 0;
         if (!was) return true;
     }
     return false;
 }
 
-// The same across the rim.
+// The same across the rim. Where nothing is beyond it a point of the rim stands for that, and the face has no area.
 MW_INLINE Attempt Collapser::foldedOutside(const Ring& r) const
 {
-    const Float4 origin = t_.vertices[size_t(r.a)].place;
-    bool folded = false, outside = false;
+    const Float4 origin = t_.vertices[size_t(r.a)].place, none = {};
+    int apex[Ring::capacity];
+    bool outside = false;
     for (int i = 0; i < r.size; ++i) {
         const int k = r.out[i] & 3, rim = t_.faces[size_t(r.out[i] >> 2)].twin[k == 2 ? 0 : k + 1];
-        if (rim < 0) continue;
-        const int apex = t_.from(prev(rim));
-        outside |= !range_.holds(apex);
-        if (outside) break;
-        const Float4 beyond = cross(r.arm[i] - r.arm[i + 1], t_.vertices[size_t(apex)].place - origin - r.arm[i + 1]);
-        folded |= dot(beyond, r.after[i]) <= 0 && dot(beyond, r.before[i]) > 0;
+        apex[i] = rim < 0 ? r.around[i] : t_.from(prev(rim));
+        outside |= !range_.holds(apex[i]);
     }
-    return {folded ? Refusal::Fold : Refusal::None, outside, 2, 2};
+    if (outside) return {Refusal::None, true, 2, 2};
+    for (int i = r.size; i < r.size + lanes - 1; ++i) apex[i] = r.a;
+    Int4 folded = {};
+    for (int i = 0; i < r.size; i += lanes) {
+        const Vectors rim = r.arm.from(i + 1), beyond = cross(r.arm.from(i) - rim, armsOf(apex + i, origin) - rim);
+        folded |= below(i, r.size) & (dot(beyond, r.after.from(i)) <= none) & (dot(beyond, r.before.from(i)) > none);
+    }
+    return {any(folded) ? Refusal::Fold : Refusal::None, false, 2, 2};
 }
 
 // How far the surface is off afterwards: the distances of the new place to the planes it leaves and of the old ones to the planes there are then, on
@@ -174,14 +203,11 @@ float Collapser::moved(const Ring& r) const
 
 MW_INLINE Attempt Collapser::inner(int h, const Target& to, Ring& r)
 {
-    bool outside = false;
-    for (int i = 0; i < r.size; ++i) outside |= !range_.holds(r.around[i]);
-    if (outside) return {Refusal::None, true};
     measure(r);
     r.to = Float4{to.x, to.y, to.z, 0};
     if (!t_.rules.endsOnly) r.keepVolume(t_.vertices[size_t(r.a)].quadric, t_.vertices[size_t(r.b)].quadric);
-    if (turned(r)) return {Refusal::Turn, false, 2, 2};
-    if (r.foldedInside()) return {Refusal::Fold, false, 2, 2};
+    const Refusal shaped = shape(r);
+    if (shaped != Refusal::None) return {shaped, false, 2, 2};
     const Attempt rim = foldedOutside(r);
     if (rim.outside || rim.refusal != Refusal::None) return rim;
     if (!t_.deviation.empty()) {
@@ -197,36 +223,25 @@ MW_INLINE Attempt Collapser::inner(int h, const Target& to, Ring& r)
 MW_INLINE void Collapser::commit(int h, Ring& r)
 {
     const int n = r.size;
-    r.sizeBefore[n] = dot(r.before[n], r.before[n]);
-    r.sizeBefore[n + 1] = dot(r.before[n + 1], r.before[n + 1]);
-    const auto roots = [](float* size, float* per, int count) {
-        for (int i = 0; i < count; ++i) {
-            const float root = std::sqrt(size[i]);
-            size[i] = root;
-            per[i] = 1 / std::max(1e-30f, root);
+    Symmetrics all{};
+    Symmetric change[lanes], first = zero, last = zero;
+    for (int i = 0; i < n; i += lanes) {
+        const Symmetrics gives = faceQuadrics(r.after.from(i), Ring::List::load(r.sizeAfter + i));
+        all = all + where(below(i, n), gives);
+        (gives - faceQuadrics(r.before.from(i), Ring::List::load(r.sizeBefore + i))).split(change);
+        for (int k = 0; k < lanes && i + k < n; ++k) {
+            Symmetric& q = t_.vertices[size_t(r.around[i + k])].quadric;
+            if (i + k > 0) q = q + change[k] + last;
+            last = change[k];
         }
-    };
-    roots(r.sizeBefore, r.perBefore, n + 2);
-    roots(r.sizeAfter, r.perAfter, n);
-    const auto gave = [&](int i) { return faceQuadric(r.before[i], r.sizeBefore[i], r.perBefore[i]); };
-    Symmetric sum = zero, last = zero, first = zero;
-    for (int i = 0; i < n; ++i) {
-        const Symmetric gives = faceQuadric(r.after[i], r.sizeAfter[i], r.perAfter[i]), change = gives - gave(i);
-        sum = sum + gives;
-        if (i == 0) {
-            first = change;
-        } else {
-            Symmetric& q = t_.vertices[size_t(r.around[i])].quadric;
-            q = q + change + last;
-        }
-        last = change;
+        if (i == 0) first = change[0];
     }
     Vertex &v = t_.vertices[size_t(r.a)], &tipA = t_.vertices[size_t(r.around[0])], &tipB = t_.vertices[size_t(r.around[r.ofA])];
-    tipA.quadric = tipA.quadric + first + last - gave(n);
-    tipB.quadric = tipB.quadric - gave(n + 1);
+    tipA.quadric = tipA.quadric + first + last - faceQuadric(r.goneA);
+    tipB.quadric = tipB.quadric - faceQuadric(r.goneB);
     --tipA.faces, --tipB.faces;
     const bool atEnd = r.to[0] == r.apart[0] && r.to[1] == r.apart[1] && r.to[2] == r.apart[2];
-    v.quadric = sum;
+    v.quadric = sum(all);
     v.place = atEnd ? t_.vertices[size_t(r.b)].place : v.place + r.to;
     v.faces = uint32_t(n);
     for (int i = r.ofA; i < n; ++i) t_.faces[size_t(r.out[i] >> 2)].v[r.out[i] & 3] = r.a;

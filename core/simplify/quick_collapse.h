@@ -5,6 +5,8 @@
 
 namespace mw::quick {
 
+struct Vectors;
+
 /// What came of an attempt.
 struct Attempt {
     Refusal refusal = Refusal::None;
@@ -33,13 +35,14 @@ private:
         bool open = false, tooMany = false;
     };
     struct Ring;
-    enum class Walk { Closed, Open, Pinched, Odd };
+    enum class Walk { Closed, Open, Pinched, Odd, Outside };
 
     // The usual case: two vertices that are free and have closed rings.
     MW_INLINE Walk walk(int h, Ring& r) const;
-    MW_INLINE bool walkFan(int half, int tip, int& last, Ring& r) const;
+    MW_INLINE Walk walkFan(int half, int tip, int& last, Ring& r) const;
+    MW_INLINE Vectors armsOf(const int* v, Float4 origin) const;
     MW_INLINE void measure(Ring& r) const;
-    MW_INLINE bool turned(Ring& r) const;
+    MW_INLINE Refusal shape(Ring& r) const;
     MW_INLINE Attempt foldedOutside(const Ring& r) const;
     float moved(const Ring& r) const;
     MW_INLINE Attempt inner(int h, const Target& to, Ring& r);

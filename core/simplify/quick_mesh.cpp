@@ -23,6 +23,15 @@ uint32_t spread(uint32_t x)
     return (x | x << 2) & 0x249249;
 }
 
+int leastCorner(const int* v)
+{
+    return v[1] < v[0] ? (v[2] < v[1] ? 2 : 1) : (v[2] < v[0] ? 2 : 0);
+}
+int middleOf(const int* v)
+{
+    return std::max(std::min(v[0], v[1]), std::min(std::max(v[0], v[1]), v[2]));
+}
+
 /// Ascending by the 24 bits above the index, equal ones as they were: two passes of 12 bits.
 void sortByCode(LargeBuffer<uint64_t>& keys)
 {
@@ -43,8 +52,7 @@ Tables::Tables(Mesh input, const Rules& given, bool watched) : rules(given), inp
     if (old_.size() >= size_t(1) << 29) throw mw::Error("the mesh has over 500 million triangles; cut it into parts first");
     measure();
     orderVertices();
-    orderFaces();
-    findTwins();
+    findTwins(orderFaces());
     lockOddOnes();
     const SeamTest seams(input_, old_);
     markSeams(seams);
@@ -110,8 +118,8 @@ void Tables::orderVertices()
     });
 }
 
-// Faces follow their least vertex.
-void Tables::orderFaces()
+// Faces follow their least vertex. How many there are up to each one's.
+std::vector<uint32_t> Tables::orderFaces()
 {
     const size_t n = old_.size();
     LargeBuffer<uint32_t> corner(3 * n), least(n);
@@ -131,6 +139,7 @@ void Tables::orderFaces()
         const uint32_t* const c = corner.data() + 3 * f;
         faces[place[least[f]]++] = {{int(c[0]), int(c[1]), int(c[2])}, 0, {-1, -1, -1}, uint32_t(f)};
     }
+    return place;
 }
 
 void Tables::makeRegions(const uint32_t* facesBefore)
@@ -151,23 +160,31 @@ void Tables::lock(int v)
 }
 
 // Half-edges are put into lists by their lower end; in a list, those with the same other end are one edge. Two that run against each other are twins;
-// anything else that has company is no edge of a surface, and its ends are locked.
-void Tables::findTwins()
+// anything else that has company is no edge of a surface, and its ends are locked. As faces follow their least vertex, two sides of each are where
+// they belong; only the third ones, from the middle vertex to the greatest, are sorted.
+void Tables::findTwins(const std::vector<uint32_t>& facesUpTo)
 {
+    const auto listed = [](int far, int h) { return uint64_t(far) << 32 | uint32_t(h); };
     std::vector<uint32_t> start(vertices.size() + 2, 0);
-    for (size_t f = 0; f < faces.size(); ++f) {
-        const int a = faces[f].v[0], b = faces[f].v[1], c = faces[f].v[2];
-        ++start[size_t(std::min(a, b)) + 2], ++start[size_t(std::min(b, c)) + 2], ++start[size_t(std::min(c, a)) + 2];
-    }
+    for (size_t f = 0; f < faces.size(); ++f) ++start[size_t(middleOf(faces[f].v)) + 2];
     std::partial_sum(start.begin(), start.end(), start.begin());
-    LargeBuffer<uint64_t> edges(3 * faces.size());
-    for (size_t f = 0; f < faces.size(); ++f)
-        for (int k = 0; k < 3; ++k) {
-            const int a = faces[f].v[k], b = faces[f].v[k == 2 ? 0 : k + 1];
-            edges[start[size_t(std::min(a, b)) + 1]++] = uint64_t(std::max(a, b)) << 32 | uint32_t(4 * f + size_t(k));
-        }
+    LargeBuffer<uint64_t> thirds(faces.size());
+    for (size_t f = 0; f < faces.size(); ++f) {
+        const int* v = faces[f].v;
+        thirds[start[size_t(middleOf(v)) + 1]++] = listed(std::max({v[0], v[1], v[2]}), next(int(4 * f) + leastCorner(v)));
+    }
     inPieces(vertices.size(), [&](size_t begin, size_t end) {
-        for (size_t v = begin; v < end; ++v) twinsOf(int(v), edges.data() + start[v], edges.data() + start[v + 1]);
+        std::vector<uint64_t> sides;
+        for (size_t v = begin; v < end; ++v) {
+            const size_t first = v > 0 ? facesUpTo[v - 1] : 0, own = 2 * (facesUpTo[v] - first), all = own + start[v + 1] - start[v];
+            if (sides.size() < all) sides.resize(2 * all);
+            for (size_t f = first; f < facesUpTo[v]; ++f) {
+                const int h = int(4 * f) + leastCorner(faces[f].v), g = prev(h);
+                sides[2 * (f - first)] = listed(to(h), h), sides[2 * (f - first) + 1] = listed(from(g), g);
+            }
+            std::copy(thirds.data() + start[v], thirds.data() + start[v + 1], sides.data() + own);
+            twinsOf(int(v), sides.data(), sides.data() + all);
+        }
     });
 }
 
@@ -220,8 +237,9 @@ void Tables::markSeams(const SeamTest& seams)
         for (int h = int(4 * begin); h < int(4 * end); ++h) {
             if ((h & 3) == 3) continue;
             if (seams.creases()) crease_[size_t(h)] = seams.crease(oldCorner(h));
-            if (twin(h) < 0 || !seams.parts(oldCorner(h), oldCorner(twin(h)))) continue;
-            faces[size_t(h >> 2)].bits |= 1u << (Face::curve + (h & 3));  // its twin finds the same
+            if (twin(h) < h || !seams.parts(oldCorner(h), oldCorner(twin(h)))) continue;
+            for (const int side : {h, twin(h)})
+                std::atomic_ref<uint32_t>(faces[size_t(side >> 2)].bits).fetch_or(1u << (Face::curve + (side & 3)), std::memory_order_relaxed);
             anyCurve_.store(true, std::memory_order_relaxed);
         }
     });

@@ -134,8 +134,8 @@ public:
 private:
     void measure();
     void orderVertices();
-    void orderFaces();
-    void findTwins();
+    std::vector<uint32_t> orderFaces();
+    void findTwins(const std::vector<uint32_t>& facesUpTo);
     void twinsOf(int v, uint64_t* first, uint64_t* last);
     void lock(int v);
     void lockOddOnes();

@@ -79,7 +79,7 @@ void Worker::putBack()
 }
 
 // Before an edge is collapsed it waits in a short line while its two fans are walked, one step whenever another edge comes in, so that the memory of
-// sixteen collapses arrives at once and not of one after the other.
+// some collapses arrives at once and not of one after the other.
 MW_INLINE void Worker::stepAhead(int& half)
 {
     if (half < 0) return;
@@ -123,16 +123,15 @@ MW_INLINE void Worker::prefetchEntry(int i)
     __builtin_prefetch(&t_.vertices[size_t(f.v[k == 2 ? 0 : k + 1])]);
 }
 
-// False for one that is gone, or whose twin stands in the queue for it.
+// False for one that is gone, or for whose edge another entry stands.
 MW_INLINE bool Worker::takeEntry(int& h)
 {
     prefetchEntry(at_);
     h = entries_[at_++];
     Face& f = t_.faces[size_t(h >> 2)];
-    if (f.v[0] < 0) return false;
+    if (f.v[0] < 0 || !f.queued(h)) return false;
     f.clearQueued(h);
-    const int g = f.twin[h & 3];
-    return g < 0 || !t_.faces[size_t(g >> 2)].queued(g);
+    return true;
 }
 
 Worker::Found Worker::findNext(uint32_t cap, Candidate& found)
@@ -186,14 +185,17 @@ Attempt Worker::tryNext(const Candidate& next)
     return a;
 }
 
-// Two edges have become one: if neither is in the queue any more, the new one is put in.
+// Two edges have become one, of which one entry is enough.
 void Worker::requeueJoined(uint32_t bucket)
 {
     const int(&joined)[4] = collapser_.joined();
     for (int i = 0; i < 4; i += 2) {
-        const int x = joined[i], y = joined[i + 1], h = x >= 0 ? x : y;
-        if (h < 0 || (x >= 0 && t_.faces[size_t(x >> 2)].queued(x)) || (y >= 0 && t_.faces[size_t(y >> 2)].queued(y))) continue;
-        push(bucket, h);
+        const int x = joined[i], y = joined[i + 1];
+        const bool xThere = x >= 0 && t_.faces[size_t(x >> 2)].queued(x), yThere = y >= 0 && t_.faces[size_t(y >> 2)].queued(y);
+        if (xThere && yThere)
+            t_.faces[size_t(y >> 2)].clearQueued(y);
+        else if (!xThere && !yThere && (x >= 0 || y >= 0))
+            push(bucket, x >= 0 ? x : y);
     }
 }
 

@@ -48,7 +48,7 @@ public:
     Collapser& collapser() { return collapser_; }
 
 private:
-    static constexpr int depth = 16, ahead = 16;
+    static constexpr int depth = 6, ahead = 16;
     struct Slot {
         int edge, walkA, walkB;
     };

@@ -60,7 +60,7 @@ private:
 
     const DecimateQuadric parameters_;
     size_t first_, target_, gone_ = 0;
-    double slack_;  // how many times the target the regions leave: few cheap collapses must be chosen from more
+    double slack_;  // how many times the target blocks leave, regions half of that: few cheap collapses must be chosen from more
     std::vector<Piece> pieces_;
     std::unique_ptr<Worker> whole_;
     uint32_t cap_ = 0;
@@ -165,14 +165,17 @@ bool QuickDecimation::runPieces()
     return !some.empty();
 }
 
-// Another octave when that leaves enough. What waits between the regions does not count: there faces are still small.
+// Another octave when that leaves enough, then bucket by bucket, as one queue would. What waits between the regions does not count: there faces are
+// still small.
 bool QuickDecimation::raise()
 {
     size_t edges = 0;
     for (const Piece& p : pieces_) edges += p.worker->deferred();
     const double inside = double(faces()) - 2.0 / 3 * double(edges);
-    if (inside < slack_ * std::pow(2, 1 / growth) * double(target_) || cap_ + BucketQueue::perOctave > Worker::last) return false;
-    cap_ += BucketQueue::perOctave;
+    const bool far = inside >= slack_ * std::pow(2, 1 / growth) * double(target_);
+    const uint32_t more = far ? BucketQueue::perOctave : 1;
+    if (inside < slack_ / 2 * double(target_) || cap_ + more > Worker::last) return false;
+    cap_ += more;
     for (Piece& p : pieces_) {
         p.done = p.worker->removed() >= p.most;
         p.blockOpen = true;

@@ -244,7 +244,20 @@ QWidget* emptyState(QWidget* parent, QLabel** sentence, QPushButton** button)
 
 void keepWide(QScrollArea* area)
 {
-    area->setMinimumWidth(area->widget()->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width() + 2 * area->frameWidth());
+    struct Keeper : QObject {
+        explicit Keeper(QScrollArea* a) : QObject(a->widget()), area(a) { keep(); }
+        bool eventFilter(QObject*, QEvent* e) override
+        {
+            if (e->type() == QEvent::LayoutRequest) keep();
+            return false;
+        }
+        void keep() const
+        {
+            area->setMinimumWidth(area->widget()->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width() + 2 * area->frameWidth());
+        }
+        QScrollArea* area;
+    };
+    area->widget()->installEventFilter(new Keeper(area));
 }
 
 SectionBar::SectionBar(const QString& title, QWidget* parent) : QWidget(parent), title_(title)

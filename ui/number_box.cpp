@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 
 namespace mw {
@@ -13,7 +14,7 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent)
     setDecimals(12);
     setKeyboardTracking(false);
     setFocusPolicy(Qt::StrongFocus);
-    setFixedWidth(82);
+    setFixedWidth(std::max(82, fontMetrics().horizontalAdvance("00000000") + 16));  // the padding of a field
 }
 
 QString NumberBox::textFromValue(double v) const

@@ -193,7 +193,8 @@ QWidget* ParameterForm::numberEditor(Row& row)
     box->integral = integral;
     box->setRange(std::max(p.about.min, -widest), std::min(p.about.max, widest));
     box->setSuffix(unitSuffix(p.about));
-    if (box->suffix().size() > 4) box->setFixedWidth(108);  // "257 samples"
+    if (box->suffix().size() > 4)  // "257 samples"
+        box->setFixedWidth(std::max(108, box->fontMetrics().horizontalAdvance("0000" + box->suffix()) + 16));
     const auto value = [integral](double v) -> ParameterValue { return integral ? ParameterValue(int64_t(std::llround(v))) : ParameterValue(v); };
     QSlider* slider = nullptr;
     const auto scale = scaleOf(p);
@@ -281,7 +282,7 @@ QWidget* ParameterForm::pointEditor(Row& row)
     for (int i = 0; i < 3; ++i) {
         boxes[size_t(i)] = new NumberBox(holder);
         auto* box = boxes[size_t(i)];
-        box->setMinimumWidth(48);
+        box->setMinimumWidth(std::max(48, box->fontMetrics().horizontalAdvance("00000") + 8));
         box->setMaximumWidth(200);
         box->setRange(std::max(p.about.min, -widest), std::min(p.about.max, widest));
         box->setSuffix(unitSuffix(p.about));
@@ -400,17 +401,9 @@ void ParameterForm::refresh()
     showing_ = false;
 }
 
-void ParameterForm::wrapWhenNarrow()
-{
-    wraps_ = true;
-    arrange();
-    updateGeometry();
-}
-
 QSize ParameterForm::minimumSizeHint() const
 {
     const QSize all = QWidget::minimumSizeHint();
-    if (!wraps_) return all;
     int widest = 0;
     for (const Row& r : rows_) widest = std::max(widest, r.editor->minimumSizeHint().width());
     return {widest, all.height()};
@@ -423,7 +416,7 @@ void ParameterForm::arrange()
         label = std::max(label, r.label->sizeHint().width());
         field = std::max(field, r.editor->minimumSizeHint().width());
     }
-    const bool wrap = wraps_ && width() < label + 8 + field;
+    const bool wrap = width() < label + 8 + field;
     if (wrap == wrapped_) return;
     wrapped_ = wrap;
     auto* grid = static_cast<QGridLayout*>(layout());
@@ -438,7 +431,7 @@ void ParameterForm::arrange()
 void ParameterForm::resizeEvent(QResizeEvent* e)
 {
     QWidget::resizeEvent(e);
-    if (wraps_) arrange();
+    arrange();
 }
 
 bool ParameterForm::eventFilter(QObject* o, QEvent* e)

@@ -28,7 +28,6 @@ public:
     void setValues(const ParameterValues& values);  ///< from outside: undo, another selection; not while something is being dragged
     const ParameterValues& values() const { return values_; }
     bool editing() const { return editing_ || debounce_.isActive(); }
-    void wrapWhenNarrow();  ///< labels stand over their fields where there is no room beside them
     QSize minimumSizeHint() const override;
     void setObjects(ObjectChoices choices) { objects_ = std::move(choices); }
     QWidget* field(const QString& name) const;  ///< the spin box, check box, combo or text field of a parameter
@@ -60,7 +59,7 @@ private:
     ObjectChoices objects_;
     ParameterValues values_;
     QTimer debounce_;
-    bool editing_ = false, showing_ = false, wraps_ = false, wrapped_ = false;
+    bool editing_ = false, showing_ = false, wrapped_ = false;
 };
 
 /// "faces 20,000": for the name of a history entry.

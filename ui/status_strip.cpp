@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "ui/elided.h"
 #include "ui/theme.h"
 #include "ui/viewport/frame_builder.h"
 #include "ui/words.h"
@@ -14,7 +15,7 @@ namespace mw {
 StatusStrip::StatusStrip(Session& session, QWidget* parent) : QStatusBar(parent), session_(session)
 {
     setSizeGripEnabled(false);
-    hint_ = new QLabel(this);
+    hint_ = new ElidedLabel(this);
     hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     selection_ = new QLabel(this);
     counts_ = new QLabel(this);
@@ -38,7 +39,7 @@ StatusStrip::StatusStrip(Session& session, QWidget* parent) : QStatusBar(parent)
     for (QWidget* w : {static_cast<QWidget*>(selection_), static_cast<QWidget*>(counts_), static_cast<QWidget*>(job_), static_cast<QWidget*>(bar_),
                        static_cast<QWidget*>(cancel_)})
         addPermanentWidget(w);
-    for (QLabel* l : {hint_, selection_, counts_}) l->setContentsMargins(6, 0, 6, 0);
+    for (QLabel* l : {static_cast<QLabel*>(hint_), selection_, counts_}) l->setContentsMargins(6, 0, 6, 0);
     timer_ = new QTimer(this);
     timer_->setSingleShot(true);
     connect(timer_, &QTimer::timeout, this, [this] { hint_->setText(hintText_); });

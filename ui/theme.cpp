@@ -2,13 +2,16 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QFontMetrics>
 #include <QIconEngine>
 #include <QPainter>
 #include <QPalette>
 #include <QSettings>
 #include <QStyleFactory>
 #include <QSvgRenderer>
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/math/srgb.h"
 
@@ -75,6 +78,9 @@ QString styleSheet(const Tokens& t)
     // A style sheet cannot tint a picture: the arrow of a combo comes in two colours.
     text.replace("@theme@", t.panel.lightness() < 128 ? "dark" : "light");
     text.replace("@pressed@", t.raised.darker(108).name());
+    const int line = QFontMetrics(QApplication::font()).height();
+    for (const auto& [name, least] : {std::pair("button", 18), {"field", 20}, {"row", 24}})
+        text.replace(QString("@%1Line@").arg(name), QString::number(std::max(least, line)));
     return text;
 }
 

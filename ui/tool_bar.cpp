@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/actions.h"
+#include "ui/elided.h"
 #include "ui/theme.h"
 #include "ui/workspaces.h"
 
@@ -20,7 +21,6 @@ MainToolBar::MainToolBar(Actions& actions, Workspaces& workspaces, QWidget* wind
     setMovable(false);
     toggleViewAction()->setVisible(false);
     setContextMenuPolicy(Qt::PreventContextMenu);
-    setFixedHeight(std::max(40, fontMetrics().height() + 20));  // larger text: larger tabs
     setIconSize({16, 16});
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     tabs_ = new QWidget(this);
@@ -41,13 +41,17 @@ MainToolBar::MainToolBar(Actions& actions, Workspaces& workspaces, QWidget* wind
     auto* stretch = new QWidget(this);
     stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(stretch);
-    search_ = new QPushButton(icon("search", tokens().text2), " Search commands and settings", this);
+    search_ = new ElidedButton(icon("search", tokens().text2), " Search commands and settings", this);
     search_->setObjectName("searchField");
     search_->setAccessibleName("Search commands and settings");
     search_->setToolTip("Find any command, lesson, parameter or node by its words · Ctrl+K");
-    search_->setFixedWidth(270);
+    search_->setMaximumWidth(std::max(270, search_->sizeHint().width()));
+    search_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     search_->setFocusPolicy(Qt::TabFocus);
     addWidget(search_);
+    // Larger text: higher tabs, with the air of the style above and below them.
+    const QMargins air = layout()->contentsMargins();
+    setFixedHeight(std::max(40, tabs_->sizeHint().height() + air.top() + air.bottom()));
 }
 
 void MainToolBar::fillTabs()

@@ -7,11 +7,12 @@
 #include <QLabel>
 #include <QPainter>
 #include <QSignalBlocker>
-#include <QStyleOptionComboBox>
-#include <QStylePainter>
 #include <QToolButton>
+#include <algorithm>
+#include <vector>
 
 #include "ui/actions.h"
+#include "ui/elided.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
 #include "ui/variant_popup.h"
@@ -33,6 +34,12 @@ QToolButton* buttonOf(QAction* action, QWidget* parent, int size = 28)
     return b;
 }
 
+/// Larger text makes the line higher.
+int headerHeight(const QWidget* header)
+{
+    return std::max(34, header->fontMetrics().height() + 12);
+}
+
 QFrame* bar(QWidget* parent)
 {
     auto* line = new QFrame(parent);
@@ -41,30 +48,11 @@ QFrame* bar(QWidget* parent)
     return line;
 }
 
-/// Where it is narrow its text ends in an ellipsis; a style sheet's combo box cuts it off.
-class ElidedComboBox : public QComboBox {
-public:
-    using QComboBox::QComboBox;
-
-protected:
-    void paintEvent(QPaintEvent*) override
-    {
-        QStylePainter painter(this);
-        QStyleOptionComboBox option;
-        initStyleOption(&option);
-        painter.drawComplexControl(QStyle::CC_ComboBox, option);
-        const int room = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).width() - 4;
-        option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideRight, room);
-        painter.drawControl(QStyle::CE_ComboBoxLabel, option);
-    }
-};
-
 QComboBox* colourBy(Session& session, Viewport& view, QWidget* parent)
 {
     auto* combo = new ElidedComboBox(parent);
     combo->setObjectName("colourBy");
     combo->setAccessibleName("Colour by");
-    combo->setMinimumWidth(150);
     combo->setFocusPolicy(Qt::TabFocus);
     combo->addItem("Material", QString());
     for (const Operation& op : catalog())
@@ -97,7 +85,7 @@ QWidget* groundOverlay(Session& session, QWidget* parent)
     line->setContentsMargins(8, 0, 0, 0);
     line->setSpacing(6);
     line->addWidget(new QLabel("Overlay", holder));
-    auto* combo = new QComboBox(holder);
+    auto* combo = new ElidedComboBox(holder);
     combo->setObjectName("groundOverlay");
     combo->setAccessibleName("Overlay on terrains");
     combo->setToolTip("What is drawn over the ground: patch borders, their level of detail, or the slope from 0 to 60\u00b0");
@@ -120,7 +108,7 @@ QWidget* groundOverlay(Session& session, QWidget* parent)
 
 QComboBox* showWhat(Session& session, QWidget* parent)
 {
-    auto* combo = new QComboBox(parent);
+    auto* combo = new ElidedComboBox(parent);
     combo->setObjectName("showWhat");
     combo->setAccessibleName("Show");
     combo->setFocusPolicy(Qt::TabFocus);
@@ -147,9 +135,20 @@ QWidget* group(const char* name, const QString& label, QComboBox* combo, QWidget
     g->setObjectName(name);
     auto* line = new QHBoxLayout(g);
     line->setContentsMargins(0, 0, 8, 0);
+    line->setSpacing(6);
     line->addWidget(new QLabel(label, g));
     line->addWidget(combo);
     return g;
+}
+
+/// Leaves away what there is no room for, while it is shown otherwise.
+QWidget* slot(QWidget* inside, QWidget* parent)
+{
+    auto* s = new QWidget(parent);
+    auto* line = new QHBoxLayout(s);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(inside);
+    return s;
 }
 
 /// Shading and wires of one view; the buttons look like those of the actions, which serve the active one.
@@ -287,10 +286,16 @@ QWidget* viewControls(Session& session, Viewport& view, Actions& a, QWidget* par
     auto* line = new QHBoxLayout(controls);
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(2);
-    addShading(line, session, view, a, controls);
-    line->addSpacing(6);
-    line->addWidget(bar(controls));
-    line->addSpacing(8);
+    auto* shading = new QWidget(controls);
+    shading->setObjectName("shadingGroup");
+    auto* buttons = new QHBoxLayout(shading);
+    buttons->setContentsMargins(0, 0, 0, 0);
+    buttons->setSpacing(2);
+    addShading(buttons, session, view, a, shading);
+    buttons->addSpacing(6);
+    buttons->addWidget(bar(shading));
+    buttons->addSpacing(8);
+    line->addWidget(shading);
     line->addWidget(group("colourByGroup", "Colour by", colourBy(session, view, controls), controls));
     return controls;
 }
@@ -312,7 +317,12 @@ QWidget* handleControls(Session& session, Actions& a, QWidget* parent)
         b->setFocusPolicy(Qt::TabFocus);
         b->setToolTip(one.action->toolTip());
         b->setAccessibleName(one.action->text());
-        b->setMinimumWidth(b->fontMetrics().horizontalAdvance("Own origins") + 18);
+        int widest = 0;
+        for (const char* text : {one.off, one.on}) {
+            b->setText(text);
+            widest = std::max(widest, b->sizeHint().width());
+        }
+        b->setMinimumWidth(widest);
         QObject::connect(b, &QToolButton::clicked, one.action, &QAction::trigger);
         const auto refresh = [b, one] { b->setText(one.action->isChecked() ? one.on : one.off); };
         QObject::connect(one.action, &QAction::changed, b, refresh);
@@ -327,6 +337,56 @@ QWidget* handleControls(Session& session, Actions& a, QWidget* parent)
     refresh();
     return holder;
 }
+
+/// The line above the views. Where there is no room for all, its boxes become narrow first; then labels leave, which the tooltips say as well,
+/// and what the menus have, too.
+class ViewHeader : public QWidget {
+public:
+    using QWidget::QWidget;
+    std::vector<QWidget*> leaves;  ///< in this order
+
+    QSize minimumSizeHint() const override
+    {
+        QSize size = QWidget::minimumSizeHint();
+        for (const QWidget* w : leaves)
+            if (!w->isHidden()) size.rwidth() -= roomOf(w);
+        return size;
+    }
+
+protected:
+    void resizeEvent(QResizeEvent* e) override
+    {
+        QWidget::resizeEvent(e);
+        fit();
+    }
+    bool event(QEvent* e) override
+    {
+        const bool handled = QWidget::event(e);
+        if (e->type() == QEvent::LayoutRequest) fit();
+        return handled;
+    }
+
+private:
+    int roomOf(const QWidget* w) const
+    {
+        for (const QWidget* p = w->parentWidget(); p != this; p = p->parentWidget())
+            if (p->isHidden()) return 0;
+        return w->minimumSizeHint().width() + w->parentWidget()->layout()->spacing();
+    }
+    void fit()
+    {
+        int needed = layout()->minimumSize().width();
+        for (const QWidget* w : leaves)
+            if (w->isHidden()) needed += roomOf(w);
+        for (QWidget* w : leaves) {
+            const bool stays = needed <= width();
+            if (!stays) needed -= roomOf(w);
+            if (w->isHidden() != stays) continue;
+            w->setVisible(stays);
+            for (QWidget* p = w->parentWidget(); p != this; p = p->parentWidget()) p->layout()->activate();
+        }
+    }
+};
 
 /// Two pixels of accent under the header of the active view. A narrow one leaves to the menus what else there is: the camera, then the shading.
 class PaneHeader : public QFrame {
@@ -353,10 +413,10 @@ protected:
 
 QWidget* makeViewHeader(Session& session, ViewArea& views, Actions& a, QWidget* parent)
 {
-    auto* header = new QWidget(parent);
+    auto* header = new ViewHeader(parent);
     header->setObjectName("viewHeader");
     header->setAttribute(Qt::WA_StyledBackground);
-    header->setFixedHeight(34);
+    header->setFixedHeight(headerHeight(header));
     auto* line = new QHBoxLayout(header);
     line->setContentsMargins(8, 0, 8, 0);
     line->setSpacing(2);
@@ -369,11 +429,16 @@ QWidget* makeViewHeader(Session& session, ViewArea& views, Actions& a, QWidget* 
     QWidget* frame = buttonOf(a.frameSelection, header);
     QWidget* link = buttonOf(a.linkCameras, header);
     line->addWidget(controls);
-    line->addWidget(group("showGroup", "Show", showWhat(session, header), header));
-    line->addWidget(groundOverlay(session, header));
-    line->addWidget(handleControls(session, a, header));
+    QWidget* show = group("showGroup", "Show", showWhat(session, header), header);
+    QWidget* overlay = groundOverlay(session, header);
+    QWidget* handles = slot(handleControls(session, a, header), header);
+    QWidget* cameraSlot = slot(camera, header);
+    for (QWidget* w : {show, overlay, handles}) line->addWidget(w);
     line->addStretch(1);
-    for (QWidget* w : {camera, frame, link}) line->addWidget(w);
+    for (QWidget* w : {cameraSlot, frame, link}) line->addWidget(w);
+    for (QWidget* g : {controls, show, overlay})
+        for (QWidget* label : g->findChildren<QLabel*>()) header->leaves.push_back(label);
+    for (QWidget* w : {cameraSlot, controls->findChild<QWidget*>("shadingGroup"), handles}) header->leaves.push_back(w);
     line->addWidget(buttonOf(a.split, header));
     line->addWidget(buttonOf(a.picture, header));
     const auto refresh = [&session, controls, camera, link] {
@@ -391,7 +456,7 @@ QWidget* makePaneHeader(Session& session, ViewArea& views, Viewport& view, Actio
     auto* header = new PaneHeader(parent);
     header->setObjectName("viewHeader");
     header->setAttribute(Qt::WA_StyledBackground);
-    header->setFixedHeight(34);
+    header->setFixedHeight(headerHeight(header));
     auto* line = new QHBoxLayout(header);
     line->setContentsMargins(6, 0, 6, 2);
     line->setSpacing(2);

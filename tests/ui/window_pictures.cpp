@@ -162,12 +162,12 @@ int main(int argc, char** argv)
     QDir().mkpath(folder);
     prepareApplication();
     QApplication app(argc, argv);
-    dressApplication(app);
     if (const int percent = qEnvironmentVariableIntValue("MESHWRIGHT_TEXT_PERCENT")) {
         QFont font = app.font();
         font.setPointSizeF(font.pointSizeF() * percent / 100);
         app.setFont(font);
     }
+    dressApplication(app);
     const QStringList only = app.arguments().mid(1);
     for (const QSize& size : {QSize(1600, 1000), QSize(1280, 800)}) {
         MainWindow w;

@@ -11,8 +11,8 @@ namespace mw {
 AxisBox::AxisBox(int axis, QWidget* parent) : NumberBox(parent)
 {
     static const char* const edges[] = {"#E05252", "#6CBF4B", "#4C8DF0"};
-    setMinimumWidth(44);
-    setMaximumWidth(220);
+    setMinimumWidth(std::max(44, fontMetrics().horizontalAdvance("00000") + 6));
+    setMaximumWidth(5 * minimumWidth());
     setRange(-1e9, 1e9);
     setStyleSheet(QString("border-left: 2px solid %1; padding-left: 2px; padding-right: 3px;").arg(edges[axis]));
     lineEdit()->installEventFilter(this);

@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "ui/elided.h"
 #include "ui/look.h"
 #include "ui/parameter_form.h"
 #include "ui/terrain_edits.h"
@@ -24,7 +25,7 @@ public:
         outer->setSpacing(6);
         auto* line = new QHBoxLayout;
         line->setContentsMargins(0, 0, 8, 0);
-        choice_ = new QComboBox(this);
+        choice_ = new ElidedComboBox(this);
         choice_->setObjectName("generator");
         choice_->setAccessibleName("Generator");
         choice_->setToolTip("What makes the height map");

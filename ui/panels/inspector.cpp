@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/elided.h"
 #include "ui/look.h"
 #include "ui/panels/inspector_rows.h"
 #include "ui/panels/inspector_widget.h"
@@ -54,7 +55,7 @@ void Inspector::makePage()
     top->setContentsMargins(8, 0, 8, 0);
     auto* label = new QLabel(tr("Inspect"), page);
     top->addWidget(label);
-    top->addWidget(level_ = new QComboBox(page), 1);
+    top->addWidget(level_ = new ElidedComboBox(page), 1);
     label->setBuddy(level_);
     level_->setObjectName("inspect-level");
     level_->setFocusPolicy(Qt::TabFocus);

@@ -68,7 +68,8 @@ void InspectorRows::paintSection(QPainter* p, const QStyleOptionViewItem& o, con
     p->drawText(r, Qt::AlignVCenter, title);
     p->setFont(o.font);
     p->setPen(t.text2);
-    p->drawText(r.adjusted(w + 8, 0, 0, 0), Qt::AlignVCenter, i.data(SectionFigure).toString());
+    const QRect rest = r.adjusted(w + 8, 0, -4, 0);
+    p->drawText(rest, Qt::AlignVCenter, o.fontMetrics.elidedText(i.data(SectionFigure).toString(), Qt::ElideRight, rest.width()));
 }
 
 }  // namespace mw

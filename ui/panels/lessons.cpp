@@ -142,6 +142,7 @@ void LessonsPanel::fill()
             auto* row = new QTreeWidgetItem(head, {QString::fromStdString(l->title)});
             row->setData(0, Qt::UserRole, QString::fromStdString(l->id));
             row->setSizeHint(0, {0, 24});
+            row->setFirstColumnSpanned(true);
             row->setToolTip(0, tr("Book %1. Enter or a double click opens it.").arg(QString::fromStdString(l->section)));
         }
         head->setExpanded(true);

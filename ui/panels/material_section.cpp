@@ -166,7 +166,6 @@ void MaterialSection::makeValues()
     emissiveField_ = field(1, "Emissive", true, &MaterialSection::emissive_);
     form_ = new ParameterForm(formParameters(), {}, values_);
     form_->setObjectName("materialForm");
-    form_->wrapWhenNarrow();
     box->addWidget(form_);
     connect(form_, &ParameterForm::edited, this, [this] {
         if (material()) session_.document.preview(edited(session_.document.scene(), valuesCall()));

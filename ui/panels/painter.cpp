@@ -9,6 +9,7 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/catalog/entries.h"
 #include "ui/look.h"
@@ -160,7 +161,7 @@ private:
             b->setToolTip(QString(k.tip) + " \u00b7 M takes the brush in hand");
             b->setFocusPolicy(Qt::TabFocus);
             b->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-            b->setFixedHeight(52);
+            b->setFixedHeight(std::max(52, b->sizeHint().height()));
             b->setProperty("tile", true);
             tools_->addButton(b, int(k.kind));
             line->addWidget(b);

@@ -140,6 +140,7 @@ public:
         column->addStretch(1);
         area->setWidget(page);
         area->setWidgetResizable(true);
+        look::keepWide(area);
         outer->addWidget(area);
         subscription_ = session_.document.subscribe([this](const Change& c) {
             if (c.aspects & (Aspect::Selection | Aspect::Tree | Aspect::Transform | Aspect::Material | Aspect::Mesh | Aspect::Stack |

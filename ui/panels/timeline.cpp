@@ -12,9 +12,11 @@
 #include <QStackedLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/edit_commands.h"
+#include "ui/elided.h"
 #include "ui/look.h"
 #include "ui/panels/empty_state.h"
 #include "ui/panels/timeline_tracks.h"
@@ -46,7 +48,7 @@ QDoubleSpinBox* field(QWidget* parent, const QString& name, int decimals, int wi
     f->setDecimals(decimals);
     f->setButtonSymbols(QAbstractSpinBox::NoButtons);
     f->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    f->setFixedWidth(width);
+    f->setFixedWidth(std::max(width, f->fontMetrics().horizontalAdvance("000000") + 14));
     f->setKeyboardTracking(false);
     f->setFocusPolicy(Qt::StrongFocus);
     return f;
@@ -87,7 +89,7 @@ private:
     QWidget* makeBar(QWidget* parent)
     {
         auto* bar = new QWidget(parent);
-        bar->setFixedHeight(36);
+        bar->setFixedHeight(std::max(36, bar->fontMetrics().height() + 10));
         auto* row = new QHBoxLayout(bar);
         row->setContentsMargins(8, 0, 8, 0);
         row->setSpacing(4);
@@ -102,7 +104,7 @@ private:
 
     void makeClips(QWidget* bar, QHBoxLayout* row)
     {
-        row->addWidget(clips_ = new QComboBox(bar));
+        row->addWidget(clips_ = new ElidedComboBox(bar));
         clips_->setObjectName("timeline-clips");
         clips_->setAccessibleName("Clip");
         clips_->setToolTip("Which clip moves the scene. Rest: none does.");
@@ -136,8 +138,8 @@ private:
         speed_->setAccessibleName("Speed");
         speed_->setToolTip("How fast it plays. × 1: as it was made.");
         speed_->setFocusPolicy(Qt::TabFocus);
-        speed_->setFixedWidth(76);
         for (const double s : speeds) speed_->addItem(QString("× %1").arg(s), s);
+        speed_->setFixedWidth(std::max(76, speed_->sizeHint().width()));
         connect(speed_, &QComboBox::activated, this, [this](int i) { play_.setSpeed(speed_->itemData(i).toDouble()); });
     }
 
@@ -155,7 +157,7 @@ private:
         from_->setToolTip("Playing begins at this frame.");
         to_->setToolTip("Playing ends at this frame.");
         row->addSpacing(6);
-        row->addWidget(seconds_ = new QLabel(bar));
+        row->addWidget(seconds_ = new ElidedLabel(bar));
         seconds_->setObjectName("timeline-seconds");
         seconds_->setProperty("secondary", true);
         connect(frame_, &QDoubleSpinBox::valueChanged, this, [this](double f) {

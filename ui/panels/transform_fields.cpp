@@ -59,7 +59,7 @@ TransformFields::TransformFields(Session& session, QWidget* parent) : QWidget(pa
 
 void TransformFields::arrange()
 {
-    const bool narrow = width() < 300;
+    const bool narrow = width() < std::max(300, labelRoom() + minimumSizeHint().width());
     if (arranged_ && narrow == narrow_) return;
     arranged_ = true;
     narrow_ = narrow;
@@ -73,6 +73,18 @@ void TransformFields::arrange()
     }
     grid_->setColumnMinimumWidth(0, narrow ? 0 : 68);
     for (int axis = 0; axis < 3; ++axis) grid_->setColumnStretch(1 + axis, 1);
+}
+
+int TransformFields::labelRoom() const
+{
+    int widest = 0;
+    for (const QLabel* l : labels_) widest = std::max(widest, l->sizeHint().width());
+    return widest + grid_->horizontalSpacing();
+}
+
+QSize TransformFields::minimumSizeHint() const
+{
+    return {3 * field(0, 0)->minimumWidth() + 2 * grid_->horizontalSpacing(), QWidget::minimumSizeHint().height()};
 }
 
 void TransformFields::resizeEvent(QResizeEvent* e)

@@ -24,12 +24,13 @@ public:
     /// Row 0 position, 1 rotation, 2 scale; axis 0 X, 1 Y, 2 Z.
     AxisBox* field(int row, int axis) const { return fields_[size_t(3 * row + axis)]; }
 
-    QSize minimumSizeHint() const override { return {3 * 44 + 2 * 4, QWidget::minimumSizeHint().height()}; }
+    QSize minimumSizeHint() const override;  ///< with the labels over their fields
 
 protected:
     void resizeEvent(QResizeEvent* e) override;
 
 private:
+    int labelRoom() const;
     glm::dvec3 valueOf(NodeId id, int row) const;
     std::vector<EditCall> callsFor(int row, int axis, double value) const;
     void preview(int row, int axis, double value);

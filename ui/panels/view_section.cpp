@@ -86,7 +86,6 @@ QWidget* makeViewSection(Session& session, QWidget* parent)
     auto* fold = new Fold("View", "view", false, parent);
     auto* form = new ParameterForm(rows(), valuesOf(session.view), fold);
     form->setObjectName("viewForm");
-    form->wrapWhenNarrow();
     fold->inside()->addWidget(form);
     QObject::connect(form, &ParameterForm::edited, fold, [&session](const ParameterValues& v) { apply(v, session.view); });
     QObject::connect(form, &ParameterForm::committed, fold, [&session](const ParameterValues& v) { apply(v, session.view); });

@@ -12,6 +12,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "ui/elided.h"
 #include "ui/look.h"
 #include "ui/object_choices.h"
 #include "ui/parameter_form.h"
@@ -136,7 +137,7 @@ void StepPlayer::makeTop(QVBoxLayout* column)
 {
     auto* row = new QHBoxLayout;
     row->setContentsMargins(8, 0, 8, 0);
-    row->addWidget(algorithm_ = new QComboBox(this), 1);
+    row->addWidget(algorithm_ = new ElidedComboBox(this), 1);
     algorithm_->setObjectName("step-algorithm");
     algorithm_->setFocusPolicy(Qt::TabFocus);
     algorithm_->setAccessibleName(tr("Algorithm"));

@@ -12,6 +12,7 @@
 #include "core/mesh/topology.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/edit_commands.h"
+#include "ui/elided.h"
 #include "ui/file_commands.h"
 #include "ui/object_choices.h"
 #include "ui/parameter_form.h"
@@ -116,6 +117,14 @@ private slots:
         add("morph");
         QCOMPARE(chosen(), std::string());
         QVERIFY(says("choose a mesh"));
+        // However narrow the row: then the name ends in an ellipsis.
+        auto* row = w_->findChild<QFrame*>("modifierRow");
+        row->setFixedWidth(190);
+        QTest::qWait(50);
+        QVERIFY(says("choose a mesh"));
+        auto* name = row->findChild<ElidedButton*>();
+        QVERIFY2(name->width() > 0 && name->width() < name->sizeHint().width(), qPrintable(QString::number(name->width())));
+        row->setMinimumWidth(0), row->setMaximumWidth(QWIDGETSIZE_MAX);
         QVERIFY2(!says("needs another mesh") && !says("the node, file or source"), "not yet said is no error");
         QCOMPARE(other()->lineEdit()->placeholderText(), QString("Choose the other mesh"));
         other()->showPopup();

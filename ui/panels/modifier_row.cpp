@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/elided.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
 #include "ui/words.h"
@@ -89,7 +90,7 @@ void ModifierRow::makeHeader(const Modifier& m)
     on_->setToolTip("Switch on or off · Space");
     on_->setAccessibleName("Enabled");
     connect(on_, &QCheckBox::clicked, this, &ModifierRow::toggled);
-    name_ = new QPushButton(edits::titleOf(m), this);
+    name_ = new ElidedButton(edits::titleOf(m), this);
     name_->setProperty("quiet", true);
     name_->setStyleSheet("text-align: left; font-weight: 700;");
     name_->setFocusPolicy(Qt::NoFocus);
@@ -127,7 +128,7 @@ void ModifierRow::resizeEvent(QResizeEvent* e)
     fitHeader();
 }
 
-// The name comes first: where there is no room for all, the time and the count before are only in the tooltip.
+// The name comes first: where there is no room for all, the time and the count before are only in the tooltip. What is asked for comes before it.
 void ModifierRow::fitHeader()
 {
     time_->setVisible(width() >= wideRow);
@@ -140,7 +141,7 @@ void ModifierRow::fitHeader()
     const QFontMetrics metrics = counts_->fontMetrics();
     const QString after = countsText_.mid(std::max(0, int(countsText_.indexOf(QChar(0x2192)))));
     const auto fits = [&](const QString& text) { return metrics.horizontalAdvance(text) + 4 <= room; };
-    counts_->setText(fits(countsText_) ? countsText_ : fits(after) ? after : QString());
+    counts_->setText(asks_ || fits(countsText_) ? countsText_ : fits(after) ? after : QString());
 }
 
 void ModifierRow::setState(const RowState& s)
@@ -149,6 +150,7 @@ void ModifierRow::setState(const RowState& s)
     countsText_ = s.enabled ? s.waits ? (s.time.isEmpty() ? QString("waits") : "waits, " + s.time) : s.counts : QString("off");
     const QString time = s.enabled && !s.running && !s.waits && s.error.isEmpty() ? s.time : QString();
     time_->setText(time);
+    asks_ = s.asks && s.enabled;
     counts_->setToolTip(time.isEmpty() ? countsText_ : countsText_ + ", in " + time);
     const QString color = s.enabled ? tokens().text.name() : tokens().text3.name();
     const QString style = "text-align: left; font-weight: 700; color: " + color + ";";

@@ -33,6 +33,7 @@ private:
 struct RowState {
     QString counts, time, error;
     bool enabled = true, running = false, waits = false, shown = false;
+    bool asks = false;  ///< for what the counts then say: it is never left out
     float fraction = 0;
     qint64 elapsed = 0;
 };
@@ -74,6 +75,7 @@ private:
 
     const Operation* op_;
     QString countsText_;
+    bool asks_ = false;
     QVBoxLayout* box_;
     QLabel *grip_, *counts_, *time_, *error_, *errorIcon_;
     QCheckBox* on_;

@@ -262,7 +262,8 @@ private:
         const Operation* op = findOperation(m.operation);
         if (!s.error.isEmpty() && op && wantsOther(*op, m.values)) {  // not wrong, only not yet said
             s.error.clear();
-            s.counts = "choose a mesh";  // as short as counts are
+            s.counts = "choose a mesh";
+            s.asks = true;
             s.time.clear();
             return s;
         }

@@ -189,6 +189,7 @@ Frame pictureFrame(const Session& session, Viewport& viewport, const PictureWish
     for (DrawTerrain& t : frame.terrains) t.selected = t.hovered = false;
     ViewOptions& o = frame.options;
     o.transparentBackground = wish.transparent;
+    o.legend = viewport.look().options.legend;  // on screen one legend may serve several views; a picture stands alone
     if (!wish.grid) o.grid = o.axes = o.orientationMarker = o.legend = false;
     o.pixelRatio = std::max(1.0, double(wish.height) / std::max(viewport.height(), 1));  // lines and letters grow with the picture
     return frame;

@@ -400,6 +400,7 @@ protected:
         QFrame::resizeEvent(e);
         camera->setVisible(width() >= 600);
         shading->setVisible(width() >= 440);
+        layout()->activate();  // it was laid out before they came or went, and would keep their room
     }
     void paintEvent(QPaintEvent* e) override
     {

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QLayout>
 #include <QTest>
 #include <cmath>
 
@@ -12,7 +13,9 @@
 #include "ui/evaluation_service.h"
 #include "ui/file_commands.h"
 #include "ui/main_window.h"
+#include "ui/pictures.h"
 #include "ui/stack_edits.h"
+#include "ui/theme.h"
 #include "ui/variants.h"
 #include "ui/view_area.h"
 #include "ui/viewport/viewport.h"
@@ -78,10 +81,23 @@ private:
     const DrawObject& drawn(int view) { return w_->views().at(view).frame().objects.at(0); }
     QString said(int view) { return w_->views().at(view).findChild<QLabel*>("shownText")->text(); }
     QComboBox* shows(int view) { return w_->views().at(view).parentWidget()->findChild<QComboBox*>("shownLevel"); }
-    void picture(const char* name)
+    /// To be looked at: in both themes, and in a window of 1280 x 800 too.
+    void picture(const QString& name)
     {
         const QString folder = qEnvironmentVariable("MESHWRIGHT_PICTURES");
-        if (!folder.isEmpty()) w_->grab().save(QDir(folder).filePath(name));
+        if (folder.isEmpty()) return;
+        const QSize before = w_->size();
+        for (const Theme theme : {Theme::Light, Theme::Dark}) {
+            applyTheme(*qApp, theme);
+            session().view.options.theme = theme;
+            for (int v = 0; v < session().view.views(); ++v) session().view.of(v).options.theme = theme;
+            session().view.touch();
+            for (const QSize size : {QSize(1280, 800), before}) {
+                w_->resize(size);
+                QTest::qWait(400);
+                w_->grab().save(QDir(folder).filePath(QString("%1-%2-%3.png").arg(name, theme == Theme::Dark ? "dark" : "light").arg(size.width())));
+            }
+        }
     }
     void choose(QComboBox* combo, const QString& text)
     {
@@ -134,7 +150,18 @@ private slots:
         }
         QVERIFY(session().view.linked);
         QCOMPARE(document().history().size(), entries);  // looking is no edit
-        picture("compare-weights.png");
+        picture("compare-weights");
+        // A saved picture stands alone: it has the legend that on screen only the first view shows.
+        for (int v = 0; v < 4; ++v) {
+            PictureWish wish;
+            wish.width = 480, wish.height = 320;
+            Frame saved = pictureFrame(session(), w_->views().at(v), wish);
+            const Picture with = w_->views().at(v).picture(saved, {wish.width, wish.height});
+            saved.options.legend = false;
+            QVERIFY(with.rgba != w_->views().at(v).picture(saved, {wish.width, wish.height}).rgba);
+        }
+        if (const QString folder = qEnvironmentVariable("MESHWRIGHT_PICTURES"); !folder.isEmpty())
+            savePicture(session(), w_->views().at(3), {800, 500}, QDir(folder).filePath("compare-saved.png"));
         action("One view")->trigger();
         settle();
         QVERIFY(!drawn(0).heat->shared);
@@ -155,7 +182,7 @@ private slots:
         auto* popup = w_->findChild<QFrame*>("variant-popup");
         QVERIFY(popup && popup->isVisible());
         choose(popup->findChild<QComboBox*>("variantOperation"), "Butterfly subdivision");
-        picture("compare-popup.png");
+        picture("compare-popup");
         popup->close();
         settle();
         const Mesh butterfly = made("subdivide-butterfly", {{"levels", int64_t(2)}}, sphere);
@@ -195,6 +222,31 @@ private slots:
         QVERIFY(document().selection().elements.indices.empty());
     }
 
+    // What a narrow header leaves out leaves its room to the boxes.
+    void headersUseTheRoomThereIs()
+    {
+        open(made("icosphere"));
+        edits::addModifier(document(), mesh(), operation("subdivide-loop"));
+        settle();
+        action("Four views")->trigger();
+        settle();
+        for (const QSize size : {QSize(1280, 800), QSize(1600, 1000), QSize(1100, 700), QSize(1600, 1000)}) {
+            w_->resize(size);
+            QTest::qWait(100);
+            for (int v = 0; v < 4; ++v) {
+                const auto* header = shows(v)->parentWidget();
+                int used = 0;
+                bool widest = true;
+                for (const QWidget* w : header->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+                    if (w->isHidden()) continue;
+                    used += w->width() + header->layout()->spacing();
+                    if (qobject_cast<const QComboBox*>(w)) widest &= w->width() == w->maximumWidth();
+                }
+                QVERIFY2(widest || used > header->width() - 40, qPrintable(QString("%1 of %2").arg(used).arg(header->width())));
+            }
+        }
+    }
+
     // A closed surface cannot be laid flat: the input is shown, and why.
     void saysWhyAVariantCouldNotRun()
     {
@@ -205,10 +257,12 @@ private slots:
         const uint64_t before = contentHash(document().scene());
         action("Variants of the last modifier")->trigger();
         QVERIFY(said(1).contains("computing"));
+        if (const QString folder = qEnvironmentVariable("MESHWRIGHT_PICTURES"); !folder.isEmpty())
+            w_->grab().save(QDir(folder).filePath("compare-computing.png"));  // at once: it is soon over
         settle();
         QVERIFY2(said(1).contains("could not run"), qPrintable(said(1)));
         QVERIFY(samePlaces(drawn(1).mesh, sphere));
-        picture("compare-failed.png");
+        picture("compare-failed");
         QCOMPARE(contentHash(document().scene()), before);  // nothing of it is saved
     }
 

@@ -161,11 +161,14 @@ Lesson parseLesson(std::string_view text)
         throw Error(std::string("lesson is no JSON: ") + e.what());
     }
     Reader in(j, "lesson");
-    Lesson l{in.text("id"), in.text("title"), in.text("section"), in.text("intro"), in.texts("try"), {}, in.text("plot", false), {}};
+    Lesson l{in.text("id"), in.text("title"), in.text("section"), in.text("intro"), in.texts("try"), {}, {}, {}, {}};
+    l.plot = in.text("plot", false);
+    l.plotOver = in.text("plotOver", false);
     if (const json* scene = in.field("scene", true)) l.scene = sceneOf(*scene);
     for (const json& p : in.list("phases", true)) l.phases.push_back(phaseOf(p, "phase " + std::to_string(l.phases.size() + 1)));
     if (l.phases.empty()) in.fail("has no phases");
-    if (!l.plot.empty() && !l.number("", l.plot)) in.fail("plots \"" + l.plot + "\", which is no number of it");
+    for (const std::string& plotted : {l.plot, l.plotOver})
+        if (!plotted.empty() && !l.number("", plotted)) in.fail("plots \"" + plotted + "\", which is no number of it");
     checkPlaceholders(in, "intro", l.intro);
     in.end();
     return l;

@@ -42,7 +42,8 @@ struct Lesson {
         std::string parameters;               ///< of the algorithm itself: "ratio=0.2"
         double azimuth = 30, elevation = 20;  ///< degrees, of the camera
     } scene;
-    std::string plot;  ///< the number to plot at first; empty: none
+    std::string plot;      ///< the number to plot at first; empty: none
+    std::string plotOver;  ///< the number that those worth a curve are plotted over, as "sweep"; empty: the step
     std::vector<LessonPhase> phases;
 
     const LessonPhase* phase(std::string_view phaseId) const;

@@ -1,5 +1,6 @@
 // The step session and the panels that show it, on an algorithm small enough to know every step of.
 #include <QApplication>
+#include <QDir>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -8,6 +9,7 @@
 #include <QTest>
 #include <QTextBlock>
 #include <QTreeWidget>
+#include <qcustomplot.h>
 #include <thread>
 
 #include "core/catalog/catalog.h"
@@ -94,6 +96,7 @@ private slots:
     void parametersStartAgain();
     void theSourceFollowsTheRunningLine();
     void thePlotHasTheSeries();
+    void aResidualIsPlottedOverSweeps();
     void everyKindIsSteppedInALab();
     void aCharacterFollowsItsPose();
     void whatIsKeptIsAClip();
@@ -411,6 +414,50 @@ void StepsTest::thePlotHasTheSeries()
     QCOMPARE(lines[1], QByteArray("2,0.25,"));
     QCOMPARE(lines.size(), qsizetype(2 * rounds + 2));
     QVERIFY(panel->findChild<QWidget*>("plot")->isVisible());
+}
+
+// A sweep has as many steps as there are inner vertices: what a solver gains in a sweep is seen over the sweeps.
+void StepsTest::aResidualIsPlottedOverSweeps()
+{
+    const Mesh sheet = std::get<Mesh>(apply(operation("grid"), {}, {}));
+    for (const char* solver : {"jacobi", "gauss-seidel"}) {
+        PanelDesk d(sheet);
+        d.show(makePlotPanel, 368, 250);
+        d.steps.open(operation("embed-planar"), d.node, Value{sheet}, {{"solver", std::string(solver)}});
+        d.steps.forward();
+        QTRY_COMPARE(d.steps.position(), size_t(1));
+        QCOMPARE(d.steps.plotted(), QStringList{"residual"});  // which no step has given yet
+        auto* plot = d.panel->findChild<QCustomPlot*>("plot");
+        QVERIFY(!plot->isVisible());
+        d.steps.last();
+        QTRY_VERIFY_WITH_TIMEOUT(d.steps.atEnd(), 20000);
+        QTRY_VERIFY(plot->isVisible());
+        QCOMPARE(plot->xAxis->label(), QString("sweep"));
+        QCOMPARE(plot->yAxis->scaleType(), QCPAxis::stLogarithmic);
+        const StepHistory& history = d.steps.history();
+        const size_t sweeps = history.countOf("sweep", history.end());
+        QVERIFY(sweeps > 3);
+        const auto curve = plot->graph(0)->data();
+        QCOMPARE(size_t(curve->size()), sweeps + 1);  // and that of the result
+        for (size_t i = 0; i < sweeps; ++i) {
+            QCOMPARE(curve->at(int(i))->key, double(i + 1));
+            QCOMPARE(curve->at(int(i))->value, d.steps.series("residual")[i].second);
+        }
+        QTest::qWait(20);  // it draws when there is time
+        if (const QString folder = qEnvironmentVariable("MESHWRIGHT_PICTURES"); !folder.isEmpty())
+            d.panel->grab().save(QDir(folder).filePath(QString("plot-%1.png").arg(solver)));
+        // The cursor is dragged to a sweep.
+        const int y = plot->height() / 2;
+        const auto pixel = [&](double x) { return QPoint(int(std::lround(plot->xAxis->coordToPixel(x))), y); };
+        QTest::mousePress(plot, Qt::LeftButton, {}, pixel(double(sweeps)));
+        QTest::mouseMove(plot, pixel(3));
+        QTest::mouseRelease(plot, Qt::LeftButton, {}, pixel(3));
+        QTRY_VERIFY(!d.steps.atEnd());
+        QTRY_COMPARE(history.phaseAt(d.steps.position()), std::string("sweep"));
+        QCOMPARE(history.countOf("sweep", d.steps.position()), size_t(3));
+        d.steps.setPlotted({"moved"});  // many a sweep
+        QCOMPARE(plot->xAxis->label(), QString("step"));
+    }
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <QSaveFile>
 #include <QStackedLayout>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <qcustomplot.h>
@@ -53,7 +54,10 @@ private:
     void saveCsv();
     void savePicture();
     void toggle(const QString& number);
-    double cursorX() const { return double(steps_.position()); }
+    QString over() const;
+    double xOf(size_t step) const;
+    size_t stepAt(double x) const;
+    double cursorX() const { return xOf(steps_.position()); }
 
     StepSession& steps_;
     QStackedLayout* pages_;
@@ -62,6 +66,7 @@ private:
     QCPItemStraightLine* cursor_ = nullptr;
     QCPItemTracer* dot_ = nullptr;
     QStringList shown_;
+    QString over_;                     // the number on the x axis; empty: the step
     std::map<QString, size_t> taken_;  // points of each series that are in its graph
     size_t seen_ = 0;
     bool fitted_ = true, dragging_ = false, logarithmic_ = false;
@@ -84,7 +89,7 @@ void PlotPanel::makePlot()
 {
     plot_ = new QCustomPlot(this);
     plot_->setObjectName("plot");
-    plot_->setAccessibleName(tr("Plot of the numbers over the steps"));
+    plot_->setAccessibleName(tr("Plot of the numbers of the steps"));
     plot_->setContextMenuPolicy(Qt::CustomContextMenu);
     plot_->setInteractions(QCP::Interactions(QCP::iRangeZoom) | QCP::iRangeDrag);
     plot_->axisRect()->setRangeZoom(Qt::Horizontal);
@@ -127,11 +132,11 @@ void PlotPanel::connectPlot()
         const double x = plot_->xAxis->pixelToCoord(e->position().x());
         const bool near = std::abs(plot_->xAxis->coordToPixel(cursorX()) - e->position().x()) <= grabWidth;
         plot_->setCursor(dragging_ || near ? Qt::SizeHorCursor : Qt::ArrowCursor);
-        if (dragging_) steps_.scrub(size_t(std::max(0.0, std::round(x))));
+        if (dragging_) steps_.scrub(stepAt(x));
         if (!dragging_ && (e->buttons() & Qt::LeftButton)) fitted_ = false;
     });
     connect(plot_, &QCustomPlot::mouseRelease, this, [this](QMouseEvent* e) {
-        if (dragging_) steps_.seek(size_t(std::max(0.0, std::round(plot_->xAxis->pixelToCoord(e->position().x())))));
+        if (dragging_) steps_.seek(stepAt(plot_->xAxis->pixelToCoord(e->position().x())));
         dragging_ = false;
         plot_->setInteraction(QCP::iRangeDrag, true);
     });
@@ -166,6 +171,8 @@ void PlotPanel::applyTheme()
         a->setSubTickPen(Qt::NoPen);
         a->setTickLabelColor(t.text2);
         a->setTickLabelFont(small);
+        a->setLabelColor(t.text2);
+        a->setLabelFont(small);
         a->grid()->setPen(QPen(t.border, 1));
         a->grid()->setSubGridVisible(false);
         a->grid()->setZeroLinePen(QPen(t.border, 1));
@@ -190,28 +197,59 @@ void PlotPanel::begin()
     taken_.clear();
 }
 
-// At first the number its lesson names, or the first that came.
+// At first the number its lesson names, even before it comes, or the first that came.
 void PlotPanel::choose()
 {
     if (!steps_.plotted().isEmpty()) return;
     const std::vector<std::string> names = steps_.seriesNames();
-    if (names.empty()) return;
-    QString name = plottedFirst(*steps_.operation());
-    if (name.isEmpty() || std::find(names.begin(), names.end(), name.toStdString()) == names.end()) name = QString::fromStdString(names.front());
-    steps_.setPlotted({name});
+    const QString named = plottedFirst(*steps_.operation());
+    if (!named.isEmpty())
+        steps_.setPlotted({named});
+    else if (!names.empty())
+        steps_.setPlotted({QString::fromStdString(names.front())});
+}
+
+/// What the run gives: a direct solver has no sweeps.
+QString PlotPanel::over() const
+{
+    const QString wanted = plottedOver(*steps_.operation(), steps_.plotted());
+    return steps_.series(wanted.toStdString()).empty() ? QString() : wanted;
+}
+
+/// Where a step stands on the x axis: at the last value there was by then.
+double PlotPanel::xOf(size_t step) const
+{
+    if (over_.isEmpty()) return double(step);
+    const auto& points = steps_.series(over_.toStdString());
+    const auto after = std::upper_bound(points.begin(), points.end(), step, [](size_t s, const auto& p) { return s < p.first; });
+    return after == points.begin() ? 0 : (after - 1)->second;
+}
+
+/// Of the first curve's, the one nearest.
+size_t PlotPanel::stepAt(double x) const
+{
+    if (over_.isEmpty()) return size_t(std::max(0.0, std::round(x)));
+    const auto& points = steps_.series(shown_.front().toStdString());
+    if (points.empty()) return 0;
+    const auto at = std::lower_bound(points.begin(), points.end(), x - 0.5, [this](const auto& p, double v) { return xOf(p.first) < v; });
+    return at == points.end() ? points.back().first : at->first;
 }
 
 void PlotPanel::refresh()
 {
     if (steps_.isOpen()) choose();
-    const bool any = steps_.isOpen() && !steps_.plotted().isEmpty() && !steps_.seriesNames().empty();
+    const QStringList numbers = steps_.isOpen() ? steps_.plotted() : QStringList();
+    const bool any = std::any_of(numbers.begin(), numbers.end(), [this](const QString& n) { return !steps_.series(n.toStdString()).empty(); });
     pages_->setCurrentIndex(any ? 1 : 0);
     if (!any) {
-        sentence_->setText(steps_.isOpen() ? tr("The numbers of the steps passed are plotted here. Step forward to get the first.")
-                                           : tr("The numbers of the algorithm that is stepped are plotted here."));
+        sentence_->setText(
+            !steps_.isOpen() ? tr("The numbers of the algorithm that is stepped are plotted here.")
+            : numbers.isEmpty()
+                ? tr("The numbers of the steps passed are plotted here. Step forward to get the first.")
+                : tr("%1 is plotted here. Step forward until a step gives it.").arg(numberTitle(*steps_.operation(), numbers.front())));
         return;
     }
-    if (shown_ != steps_.plotted()) rebuild();
+    if (shown_ != numbers || over_ != over()) rebuild();
     if (seen_ != steps_.history().end()) append();
     moveCursor();
     plot_->replot(QCustomPlot::rpQueuedReplot);
@@ -220,6 +258,7 @@ void PlotPanel::refresh()
 void PlotPanel::rebuild()
 {
     shown_ = steps_.plotted();
+    over_ = over();
     taken_.clear();
     seen_ = 0;
     dot_->setGraph(nullptr);
@@ -234,6 +273,7 @@ void PlotPanel::rebuild()
     QSharedPointer<QCPAxisTicker> steps(new QCPAxisTicker);
     steps->setTickCount(4);
     plot_->xAxis->setTicker(steps);
+    plot_->xAxis->setLabel(over_.isEmpty() ? tr("step") : numberTitle(*steps_.operation(), over_).toLower());
     for (const QString& name : shown_) {
         QCPGraph* g = plot_->addGraph();
         g->setName(numberTitle(*steps_.operation(), name));
@@ -257,7 +297,7 @@ void PlotPanel::append()
         QVector<double> x, y;
         for (; taken < points.size(); ++taken) {
             if (logarithmic_ && points[taken].second <= 0) continue;  // has no place on this scale
-            x.append(double(points[taken].first));
+            x.append(xOf(points[taken].first));
             y.append(points[taken].second);
         }
         plot_->graph(i)->addData(x, y, true);
@@ -279,7 +319,7 @@ void PlotPanel::fit()
         plot_->yAxis->setRange(plot_->yAxis->range().lower / 1.5, plot_->yAxis->range().upper * 1.5);
     else
         plot_->yAxis->scaleRange(1.12);
-    plot_->xAxis->setRange(0, double(std::max<size_t>(steps_.history().end(), 10)) * 1.02);
+    plot_->xAxis->setRange(0, 1.02 * std::max(10.0, xOf(steps_.history().end())));
 }
 
 void PlotPanel::moveCursor()

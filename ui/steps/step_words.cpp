@@ -121,6 +121,13 @@ QString plottedFirst(const Operation& op)
     return l ? QString::fromStdString(l->plot) : QString();
 }
 
+QString plottedOver(const Operation& op, const QStringList& numbers)
+{
+    const Lesson* l = lessonOf(op);
+    const bool all = std::all_of(numbers.begin(), numbers.end(), [&](const QString& n) { return isWorthACurve(op, n); });
+    return l && all ? QString::fromStdString(l->plotOver) : QString();
+}
+
 bool isInMatrix(const Operation& op, const std::string& phase, const QString& number)
 {
     const QString formula = phaseOf(op, QString::fromStdString(phase)).formula;

@@ -23,6 +23,8 @@ QString numberText(const Operation& op, const QString& name, double value, const
 bool isLogarithmic(const Operation& op, const QString& name);
 /// The number to plot before one was chosen; empty when the lesson says none.
 QString plottedFirst(const Operation& op);
+/// The number that these are plotted over; empty: the step.
+QString plottedOver(const Operation& op, const QStringList& numbers);
 
 /// {name} becomes the step's number, {letter|role} the letter in that role's colour. A number the step has not got becomes a dash.
 QString filled(const Operation& op, const QString& rich, const StepRecord& step);

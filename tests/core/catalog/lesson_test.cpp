@@ -44,6 +44,7 @@ TEST(Lesson, SlipsAreFound)
     EXPECT_THROW(parseLesson(changed(small, "{n}", "{n")), Error);
     EXPECT_THROW(parseLesson(changed(small, "3 significant", "three")), Error);
     EXPECT_THROW(parseLesson(changed(small, "\"plot\":\"n\"", "\"plot\":\"m\"")), Error);
+    EXPECT_THROW(parseLesson(changed(small, "\"plot\":\"n\"", "\"plot\":\"n\",\"plotOver\":\"m\"")), Error);
     EXPECT_THROW(parseLesson(changed(small, "\"section\"", "\"sektion\"")), Error);
 }
 

@@ -31,6 +31,8 @@
 #include "ui/panels/texture_slot.h"
 #include "ui/panels/uv.h"
 #include "ui/panels/uv_canvas.h"
+#include "ui/panels/uv_picture.h"
+#include "ui/stack_edits.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport.h"
 #include "ui/workspaces.h"
@@ -138,6 +140,9 @@ private slots:
     void theUvPanelSelectsWithTheView();
     void zoomKeepsThePointUnderThePointer();
     void withoutCoordinatesItSaysSo();
+    void aFaceHasTheColourThatTheLegendGivesItsValue();
+    void linesDoNotGreyDenseColours();
+    void aSmallFoldIsRinged();
     void aLargeLayoutDoesNotHoldTheWindow();
     void nothingIsCutInANarrowDock();
     void pictures();
@@ -395,6 +400,100 @@ void PanelsTest::withoutCoordinatesItSaysSo()
     QVERIFY(shownText(d.panel.get()).contains("Select a mesh"));
 }
 
+// Canvas, legend and, for angles, the 3D view: one value, one colour.
+void PanelsTest::aFaceHasTheColourThatTheLegendGivesItsValue()
+{
+    const Mesh grid = std::get<Mesh>(apply(operation("grid"), {}, {}));
+    const Bounds box = grid.bounds();
+    const glm::vec3 low(box.min), size(box.max - box.min);
+    Array<float> uv;
+    for (const glm::vec3& p : grid.positions()) {  // the farther from the corner, the more it is spread
+        const glm::vec3 t = (p - low) / glm::max(size, glm::vec3(1e-9f));
+        const float a = t.x, b = size.y > size.z ? t.y : t.z;
+        uv.insert(uv.end(), {a * a, b * std::sqrt(b)});
+    }
+    const Mesh mesh = grid.with(floatAttribute("texcoord", Domain::Vertex, 2, std::move(uv)));
+    const UvSubject subject{mesh, uvLayoutOf(mesh, 0), std::get<Table>(apply(operation("uv-distortion"), mesh, {}))};
+    Desk d(makeUvPanel, 304);
+    Scene s = d.document.scene();
+    MeshObject o = *s.find(s.node(d.first).mesh);
+    o.base = mesh;
+    s.set(s.node(d.first).mesh, o);
+    d.document.commit("warped", s);
+    auto* choice = d.panel->findChild<QComboBox*>("uvColour");
+    for (const UvColour colour : {UvColour::Angle, UvColour::Area}) {
+        choice->setCurrentIndex(int(colour));
+        emit choice->activated(int(colour));
+        QTRY_VERIFY(d.panel->findChild<QLabel*>("uvFigures")->text().contains(colour == UvColour::Angle ? "mean" : " to "));
+        QTRY_VERIFY(d.canvas()->upToDate());
+        const QImage canvas = d.canvas()->grab().toImage(), legend = d.panel->findChild<QWidget*>("uvLegend")->grab().toImage();
+        const Column& column = subject.distortion.columns[colour == UvColour::Angle ? 0 : 1];
+        const UvRange range = uvRangeOf(subject, colour);
+        const auto away = [](QColor a, QColor b) {
+            return std::max({std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
+        };
+        size_t looked = 0;
+        for (size_t f = 0; f < mesh.faceCount(); ++f) {
+            glm::dvec2 middle(0);
+            QPolygonF shape;
+            for (size_t k = 0; k < mesh.face(f).size(); ++k) {
+                const glm::dvec2 at = subject.layout.corners[mesh.faceStart()[f] + k];
+                middle += at / double(mesh.face(f).size());
+                shape << d.canvas()->placeOf(at);
+            }
+            if (shape.boundingRect().width() < 8 || shape.boundingRect().height() < 8) continue;  // its lines fill it
+            const QColor shown = canvas.pixelColor(d.canvas()->placeOf(middle).toPoint());
+            QCOMPARE(shown, uvColourOf(colour, column.values[f], range));
+            const double share = colour == UvColour::Angle ? (column.values[f] - range.low) / (range.high - range.low)
+                                                           : 0.5 + 0.5 * std::log(column.values[f]) / std::log(range.high);
+            const int x = int(std::lround(std::clamp(share, 0.0, 1.0) * (legend.width() - 1)));
+            QVERIFY(away(legend.pixelColor(x, 6), shown) <= 6);  // a pixel of the bar is about an entry of the table
+            ++looked;
+        }
+        QVERIFY(looked > 10);
+        if (colour == UvColour::Angle) QCOMPARE(std::pair(range.low, range.high), heatRange(column));  // as HeatService has it
+    }
+}
+
+// A chart whose faces are a pixel wide: all of one stretch, so all of it has the colour of that stretch.
+void PanelsTest::linesDoNotGreyDenseColours()
+{
+    const Mesh grid = std::get<Mesh>(apply(operation("subdivide-loop"), std::get<Mesh>(apply(operation("grid"), {}, {})), {{"levels", int64_t(3)}}));
+    Array<float> uv;
+    for (const glm::vec3& p : grid.positions()) uv.insert(uv.end(), {0.5f + 0.2f * p.x, 0.5f + 0.2f * (p.y + p.z)});
+    const Mesh mesh = grid.with(floatAttribute("texcoord", Domain::Vertex, 2, std::move(uv)));
+    const UvSubject subject{mesh, uvLayoutOf(mesh, 0), std::get<Table>(apply(operation("uv-distortion"), mesh, {}))};
+    UvOptions options;
+    options.colour = UvColour::Area;
+    const QImage image = uvPicture(subject, {{0.5, 0.5}, 250}, options, {101, 101});
+    const UvRange range = uvRangeOf(subject, UvColour::Area);
+    for (const int y : {30, 50, 70})
+        for (const int x : {30, 50, 70}) {
+            const std::vector<uint32_t> there = facesAt(mesh, subject.layout, {0.5 + (x - 50) / 250.0, 0.5 - (y - 50) / 250.0});
+            QVERIFY(!there.empty());
+            const QColor wanted = uvColourOf(UvColour::Area, subject.distortion.columns[1].values[there[0]], range), shown = image.pixelColor(x, y);
+            // The next face may have the next colour of the table.
+            QVERIFY2(std::abs(wanted.red() - shown.red()) <= 8 && std::abs(wanted.blue() - shown.blue()) <= 8, qPrintable(shown.name()));
+        }
+}
+
+void PanelsTest::aSmallFoldIsRinged()
+{
+    const UvSubject subject{sheet(), uvLayoutOf(sheet(), 0), std::get<Table>(apply(operation("uv-distortion"), sheet(), {}))};
+    QCOMPARE(subject.layout.folded, std::vector<uint32_t>{2});
+    UvOptions options;
+    options.picture = false;
+    glm::dvec2 middle(0);
+    for (size_t c = 8; c < 12; ++c) middle += 0.25 * glm::dvec2(subject.layout.corners[c]);
+    const auto redBeside = [&](double perUnit) {  // to the left of the face, where the ring of a small one passes
+        const QImage image = uvPicture(subject, {middle, perUnit}, options, {101, 101});
+        const QColor c = image.pixelColor(50 - 7, 50);
+        return c.red() > 200 && c.green() < 140;
+    };
+    QVERIFY(redBeside(12));   // 2 x 6 pixels
+    QVERIFY(!redBeside(30));  // 4 x 15: seen without
+}
+
 void PanelsTest::aLargeLayoutDoesNotHoldTheWindow()
 {
     const uint32_t n = 224;  // 100,352 triangles
@@ -499,6 +598,17 @@ void PanelsTest::pictures()
             shoot("cesium");
             open("meshes/quads/suzanne.obj");
             shoot("suzanne");
+            for (const char* weights : {"wachspress", "mean-value"}) {  // the first folds a few small faces
+                open("meshes/disk/camelhead.off");
+                edits::addModifier(w.session().document, w.session().document.scene().meshes()[0], operation("embed-planar"),
+                                   {{"weights", std::string(weights)}});
+                settle();
+                for (const int colour : {0, 2}) {
+                    for (auto* c : w.findChildren<QComboBox*>("uvColour")) c->setCurrentIndex(colour), emit c->activated(colour);
+                    settle();
+                    shoot(QString("camel-%1-%2").arg(weights).arg(colour));
+                }
+            }
         }
     }
 }

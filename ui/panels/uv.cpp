@@ -34,12 +34,16 @@ constexpr int backdropSide = 2048, savedSide = 2048;
 // What the colours of distortion mean: a bar with its ends, and the middle for area.
 class UvLegend : public QWidget {
 public:
-    explicit UvLegend(QWidget* parent) : QWidget(parent) { setFixedHeight(34); }
-    void set(UvColour colour, double high)
+    explicit UvLegend(QWidget* parent) : QWidget(parent)
+    {
+        setObjectName("uvLegend");
+        setFixedHeight(34);
+    }
+    void set(UvColour colour, const UvRange& range)
     {
         colour_ = colour;
-        high_ = high;
-        setAccessibleName(colour == UvColour::Angle ? "Angle distortion from 1" : "Area factor");
+        range_ = range;
+        setAccessibleName(colour == UvColour::Angle ? "Angle distortion" : "Area factor");
         setToolTip(colour == UvColour::Angle ? "Greater over lesser stretch of each face (s1 / s2): 1 keeps all angles"
                                              : "Area in the picture over area on the surface, 1 is the mesh's mean: blue is squeezed, red is spread");
         setVisible(colour != UvColour::None);
@@ -52,19 +56,18 @@ private:
         QPainter p(this);
         const QRect bar(0, 2, width(), 10);
         for (int x = 0; x < bar.width(); ++x) {
-            const double t = double(x) / std::max(1, bar.width() - 1);
-            const double value = colour_ == UvColour::Angle ? std::pow(high_, t) : std::pow(high_, 2 * t - 1);
-            p.fillRect(bar.left() + x, bar.top(), 1, bar.height(), uvColourOf(colour_, value, high_));
+            const double share = double(x) / std::max(1, bar.width() - 1);
+            p.fillRect(bar.left() + x, bar.top(), 1, bar.height(), uvColourOf(colour_, uvValueAt(colour_, share, range_), range_));
         }
         p.setPen(tokens().text2);
         const QRect text(0, 14, width(), 20);
         const bool angle = colour_ == UvColour::Angle;
-        p.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, angle ? "1" : "≤ 1/" + look::number(high_));
+        p.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, "≤ " + (angle ? look::number(range_.low) : "1/" + look::number(range_.high)));
         if (!angle) p.drawText(text, Qt::AlignHCenter | Qt::AlignVCenter, "1");
-        p.drawText(text, Qt::AlignRight | Qt::AlignVCenter, "≥ " + look::number(high_));
+        p.drawText(text, Qt::AlignRight | Qt::AlignVCenter, "≥ " + look::number(range_.high));
     }
     UvColour colour_ = UvColour::None;
-    double high_ = 2;
+    UvRange range_;
 };
 
 class UvPanel : public QWidget {
@@ -146,7 +149,7 @@ private:
         line->setSpacing(6);
         folded_ = new QLabel(body_);
         folded_->setObjectName("uvFolded");
-        folded_->setToolTip("Faces that lie upside down in the plane, hatched red");
+        folded_->setToolTip("Faces that lie upside down in the plane, hatched red; small ones are ringed");
         select_ = new QPushButton("Select", body_);
         select_->setObjectName("uvSelectFolded");
         select_->setAccessibleName("Select faces folded over");
@@ -295,7 +298,7 @@ private:
         folded_->style()->polish(folded_);
         select_->setVisible(n > 0 && !isVariant_);
         const UvColour colour = UvColour(colour_->currentIndex());
-        legend_->set(colour, uvColourHigh(*subject_, colour));
+        legend_->set(colour, uvRangeOf(*subject_, colour));
         const auto& sum = subject_->distortion.summary;
         const QString text = colour == UvColour::Angle  ? QString("mean %1, most %2").arg(look::number(sum[0].second), look::number(sum[1].second))
                              : colour == UvColour::Area ? QString("%1 to %2").arg(look::number(sum[2].second), look::number(sum[3].second))

@@ -4,6 +4,7 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "render/colors.h"
 
@@ -83,15 +84,13 @@ struct Painter {
     void colours(QPainter& p) const
     {
         const Array<double>& values = subject.distortion.columns[options.colour == UvColour::Angle ? 0 : 1].values;
-        const double high = uvColourHigh(subject, options.colour);
+        const UvRange range = uvRangeOf(subject, options.colour);
         p.setPen(Qt::NoPen);
         for (size_t f = 0; f < values.size(); ++f) {
             if ((f & 1023) == 0 && stopped()) return;
             const QPolygonF shape = face(f);
             if (shape.isEmpty()) continue;
-            QColor c = uvColourOf(options.colour, values[f], high);
-            c.setAlpha(225);
-            p.setBrush(c);
+            p.setBrush(uvColourOf(options.colour, values[f], range));
             p.drawPolygon(shape);
         }
     }
@@ -130,7 +129,46 @@ struct Painter {
         }
     }
 
-    void lines(QPainter& p, UvLayout::Kind kind, const QPen& pen) const
+    /// Faces too small for their hatching to be seen get a ring, one for those that lie together.
+    void ring(QPainter& p, const std::vector<uint32_t>& faces, const QColor& colour) const
+    {
+        constexpr double radius = 7;
+        std::map<std::pair<int, int>, QRectF> cells;  // what lies in squares of that side
+        for (const uint32_t f : faces) {
+            const QRectF box = f < subject.mesh.faceCount() ? face(f).boundingRect().adjusted(-0.5, -0.5, 0.5, 0.5) : QRectF();
+            if (box.width() > 1) cells[{int(box.center().x() / radius), int(box.center().y() / radius)}] |= box;
+        }
+        p.setBrush(Qt::NoBrush);
+        while (!cells.empty()) {
+            const QRectF group = takeGroup(cells, cells.begin()->first);
+            if (std::max(group.width(), group.height()) > 2 * radius) continue;
+            for (const auto& [line, width] : {std::pair(QColor("#101215"), 3.4), std::pair(colour, 1.8)}) {
+                p.setPen(QPen(line, width));
+                p.drawEllipse(group.center(), radius, radius);
+            }
+        }
+    }
+
+    /// The cell and those that touch it, and those that touch these.
+    static QRectF takeGroup(std::map<std::pair<int, int>, QRectF>& cells, std::pair<int, int> first)
+    {
+        QRectF all;
+        std::vector<std::pair<int, int>> open{first};
+        while (!open.empty()) {
+            const auto [x, y] = open.back();
+            open.pop_back();
+            const auto cell = cells.find({x, y});
+            if (cell == cells.end()) continue;
+            all |= cell->second;
+            cells.erase(cell);
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx) open.emplace_back(x + dx, y + dy);
+        }
+        return all;
+    }
+
+    /// Those of at least so many pixels.
+    void lines(QPainter& p, UvLayout::Kind kind, const QPen& pen, double least = 0) const
     {
         std::vector<QLineF> some;
         p.setPen(pen);
@@ -138,7 +176,7 @@ struct Painter {
         for (size_t e = 0; e < l.kinds.size(); ++e) {
             if (l.kinds[e] != kind) continue;
             const QPointF a = corner(l.edges[2 * e]), b = corner(l.edges[2 * e + 1]);
-            if (outside(a, b)) continue;
+            if (outside(a, b) || std::hypot(b.x() - a.x(), b.y() - a.y()) < least) continue;
             some.emplace_back(a, b);
             if (some.size() < 4096) continue;
             if (stopped()) return;
@@ -189,25 +227,32 @@ struct Painter {
 
 }  // namespace
 
-double uvColourHigh(const UvSubject& subject, UvColour colour)
+UvRange uvRangeOf(const UvSubject& subject, UvColour colour)
 {
-    if (colour == UvColour::None) return 1;
+    if (colour == UvColour::None) return {};
     Column c = subject.distortion.columns[colour == UvColour::Angle ? 0 : 1];
-    for (double& v : c.values)
-        if (colour == UvColour::Area) v = v > 0 ? std::max(v, 1 / v) : v;
-    const double high = heatRange(c).second;
-    return std::isfinite(high) ? std::clamp(high, 1.1, 1e6) : 2;
+    if (colour == UvColour::Area)
+        for (double& v : c.values) v = v > 0 ? std::max(v, 1 / v) : v;
+    const auto [low, high] = heatRange(c);
+    if (colour == UvColour::Angle) return {low, high};
+    const double most = std::clamp(high, 1.1, 1e6);
+    return {1 / most, most};
 }
 
-QColor uvColourOf(UvColour colour, double value, double high)
+QColor uvColourOf(UvColour colour, double value, const UvRange& range)
 {
     static const std::vector<uint8_t> table = heatTablePixels();
     if (!std::isfinite(value)) return QColor("#8A8F96");
-    const double t =
-        colour == UvColour::Angle ? std::log(std::max(1.0, value)) / std::log(high) : 0.5 + 0.5 * std::log(std::max(value, 1e-12)) / std::log(high);
+    const double t = colour == UvColour::Angle ? (value - range.low) / std::max(range.high - range.low, 1e-30)
+                                               : 0.5 + 0.5 * std::log(std::max(value, 1e-12)) / std::log(range.high);
     const size_t row = colour == UvColour::Angle ? viridisRow : divergingRow;
     const size_t i = 4 * (row * size_t(heatEntries) + size_t(std::lround(std::clamp(t, 0.0, 1.0) * (heatEntries - 1))));
     return QColor(table[i], table[i + 1], table[i + 2]);
+}
+
+double uvValueAt(UvColour colour, double share, const UvRange& range)
+{
+    return colour == UvColour::Angle ? range.low + share * (range.high - range.low) : std::pow(range.high, 2 * share - 1);
 }
 
 QImage uvPicture(const UvSubject& subject, const UvView& view, const UvOptions& options, QSize size, const std::atomic<bool>* stop)
@@ -218,12 +263,15 @@ QImage uvPicture(const UvSubject& subject, const UvView& view, const UvOptions& 
     QPainter p(&image);
     const Painter all{subject, view, options, size, stop};
     all.tiles(p);
+    // Not smoothed: what is behind would shine through between two faces, and all over where they are smaller than a pixel.
+    if (options.colour != UvColour::None) all.colours(p);
     // Smooth lines are worth their time while there are not too many.
     p.setRenderHint(QPainter::Antialiasing, subject.layout.kinds.size() < 60'000);
-    if (options.colour != UvColour::None) all.colours(p);
     QColor inner = inTheme(options.theme, "#C8CED6", "#3A424B");
     inner.setAlpha(int((options.colour == UvColour::None ? 150 : 90) * all.lineShare()));
-    all.lines(p, UvLayout::Inside, QPen(inner, subject.layout.kinds.size() < 20'000 ? 1 : 0));
+    // Where it is dense, lines would grey the colours, however faint they are.
+    const double least = options.colour == UvColour::None ? 0 : 5;
+    all.lines(p, UvLayout::Inside, QPen(inner, subject.layout.kinds.size() < 20'000 ? 1 : 0), least);
     if (all.stopped()) return {};
     QColor red("#FF6B5E"), wash = red;
     wash.setAlpha(95);
@@ -234,6 +282,7 @@ QImage uvPicture(const UvSubject& subject, const UvView& view, const UvOptions& 
     all.lines(p, UvLayout::Seam, QPen(QColor("#101215"), 2.8));  // halo
     all.lines(p, UvLayout::Seam, QPen(QColor("#FF9A3C"), 1.5));
     p.setRenderHint(QPainter::Antialiasing);
+    all.ring(p, subject.layout.folded, red);
     all.selected(p);
     p.end();
     return all.stopped() ? QImage() : image;

@@ -36,8 +36,13 @@ struct UvOptions {
 /// Of `size` logical pixels. Null when `stop` was set on the way.
 QImage uvPicture(const UvSubject& subject, const UvView& view, const UvOptions& options, QSize size, const std::atomic<bool>* stop = nullptr);
 
-/// Range of a colouring: angle from 1 to `high`, area from 1/high to high (logarithmic).
-double uvColourHigh(const UvSubject& subject, UvColour colour);
-QColor uvColourOf(UvColour colour, double value, double high);
+/// Angle as the 3D view colours it; area from 1/high to high, logarithmic. Canvas and legend take their colours from the same.
+struct UvRange {
+    double low = 1, high = 2;
+};
+UvRange uvRangeOf(const UvSubject& subject, UvColour colour);
+QColor uvColourOf(UvColour colour, double value, const UvRange& range);
+/// The value that has its colour at that share of the legend's bar, 0 to 1.
+double uvValueAt(UvColour colour, double share, const UvRange& range);
 
 }  // namespace mw

@@ -110,6 +110,8 @@ private:
     const char* texcoord(const char* p);
     const char* normal(const char* p);
     const char* face(const char* p);
+    bool hasPlainCorners() const { return data_.cornerTexcoord.size() + data_.cornerNormal.size() == 0; }
+    const char* plainCorners(const char* p);
     const char* corner(const char* p);
     const char* index(const char* p, size_t count, uint32_t& to);
     void finishFace(uint32_t first, bool understood);
@@ -202,10 +204,10 @@ inline const char* Parser::skipBlanks(const char* p)
     }
 }
 
-/// Up to `most` numbers; `count` is one more when there are further ones. What is no number is NaN.
+/// Up to `most` numbers, of which `count` are there; it is one more when there are further ones. What is no number is NaN.
 const char* Parser::numbers(const char* p, float* to, int most, int& count)
 {
-    for (count = 0;; ++count) {
+    for (;; ++count) {
         p = skipBlanks(p);
         if (endsLine(*p)) return p;
         if (count == most) return ++count, p;
@@ -222,7 +224,7 @@ const char* Parser::numbers(const char* p, float* to, int most, int& count)
 const char* Parser::vertex(const char* p)
 {
     float n[7];
-    int count = 0;
+    int count = parseThree(p, n) ? 3 : 0;
     p = numbers(p, n, 7, count);
     if (count < 3) {
         data_.findings.add(
@@ -259,7 +261,7 @@ const char* Parser::texcoord(const char* p)
 const char* Parser::normal(const char* p)
 {
     float n[3] = {0, 0, 0};
-    int count = 0;
+    int count = parseThree(p, n) ? 3 : 0;
     p = numbers(p, n, 3, count);
     data_.normals.push({n[0], n[1], n[2]});
     return p;
@@ -285,10 +287,9 @@ inline const char* Parser::corner(const char* p)
 {
     uint32_t v = none, t = none, n = none;
     // Most are a vertex that has come, and no more.
-    if (const int digits = detail::upToEightDigits(p, v); digits > 0 && digits < 8 && endsToken(p[digits]) && v - 1 < data_.positions.size() &&
-                                                          data_.cornerTexcoord.size() + data_.cornerNormal.size() == 0) {
+    if (const char* q = p; parseShort(q, v) && endsToken(*q) && v - 1 < data_.positions.size() && hasPlainCorners()) {
         data_.cornerVertex.push(v - 1);
-        return p + digits;
+        return q;
     }
     const int64_t earlier = wrongIndex_;
     p = index(p, data_.positions.size(), v);
@@ -321,10 +322,25 @@ inline const char* Parser::corner(const char* p)
     return p;
 }
 
+/// Of most faces: three vertices that have come, and no more than their numbers.
+inline const char* Parser::plainCorners(const char* p)
+{
+    if (!hasPlainCorners()) return p;
+    const size_t first = data_.cornerVertex.size(), vertices = data_.positions.size();
+    uint32_t* v = data_.cornerVertex.room(3);
+    const char* q = p + 1;
+    if (*p != ' ' || !parseThree(q, v)) return p;
+    for (int k = 0; k < 3; ++k)
+        if (--v[k] >= vertices) return p;
+    data_.cornerVertex.cut(first + 3);
+    return q;
+}
+
 const char* Parser::face(const char* p)
 {
     const uint32_t first = uint32_t(data_.cornerVertex.size());
     wrong_ = false;
+    p = plainCorners(p);
     while (true) {
         p = skipBlanks(p);
         if (endsLine(*p)) break;

@@ -37,6 +37,8 @@ private:
     bool endsNumber() const { return endsToken(*p_) || *p_ == '#'; }
     uint64_t count(const char* of);
     float value(size_t vertex);
+    glm::vec3 triple(size_t vertex);
+    uint32_t cornerCount();
     uint32_t index();
     size_t left() const { return size_t(bytes_.end() - p_); }
     void report(float from, float share, size_t done, size_t all);
@@ -155,6 +157,14 @@ inline float Parser::value(size_t vertex)
     return v;
 }
 
+inline glm::vec3 Parser::triple(size_t vertex)
+{
+    glm::vec3 v;
+    if (skip() && parseThree(p_, &v.x)) return v;
+    for (int k = 0; k < 3; ++k) v[k] = value(vertex);
+    return v;
+}
+
 void Parser::report(float from, float share, size_t done, size_t all)
 {
     if (progress_ && (done & 0x7fff) == 0) progress_->at(from + share * float(done) / float(all));
@@ -167,18 +177,13 @@ void Parser::vertices()
     if (header_.texcoord) data_.texcoords.expect(vertexCount_);
     if (colorValues_) data_.colors.expect(vertexCount_);
     for (size_t i = 0; i < vertexCount_; ++i) {
-        glm::vec3 p;
-        for (int k = 0; k < 3; ++k) p[k] = value(i);
+        glm::vec3 p = triple(i);
         if (header_.homogeneous) {
             const float w = value(i);
             p = glm::vec3(glm::dvec3(p) / double(w));
         }
         data_.positions.push(p);
-        if (header_.normal) {
-            glm::vec3 n;
-            for (int k = 0; k < 3; ++k) n[k] = value(i);
-            data_.normals.push(n);
-        }
+        if (header_.normal) data_.normals.push(triple(i));
         if (colorValues_) {
             glm::vec4 c(1);
             for (int k = 0; k < int(colorValues_); ++k) c[k] = value(i);
@@ -197,11 +202,10 @@ void Parser::vertices()
 inline uint32_t Parser::index()
 {
     // Nearly always a blank or the end of the line before, then a few digits.
-    const char* first = p_ + endsToken(*p_);
-    uint32_t plain = 0;
-    if (const int digits = detail::upToEightDigits(first, plain); digits > 0 && digits < 8 && endsToken(first[digits])) {
+    const char* q = p_ + endsToken(*p_);
+    if (uint32_t plain = 0; parseShort(q, plain) && endsToken(*q)) {
         line_ += *p_ == '\n';
-        p_ = first + digits;
+        p_ = q;
         return plain;
     }
     if (!skip())
@@ -218,15 +222,30 @@ inline uint32_t Parser::index()
     return n < OffData::wrongIndex && !(minus && n > 0) ? uint32_t(n) : OffData::wrongIndex;
 }
 
-void Parser::face(size_t f)
+/// Nearly always one digit at the start of a line.
+inline uint32_t Parser::cornerCount()
+{
+    if (*p_ != '\n' || !isDigit(p_[1]) || p_[2] != ' ') return index();
+    ++line_;
+    p_ += 2;
+    return uint32_t(p_[-1] - '0');
+}
+
+inline void Parser::face(size_t f)
 {
     face_ = f;
-    const uint32_t corners = index();
+    const uint32_t corners = cornerCount();
     if (corners > (left() + 1) / 2)
         fail("face " + std::to_string(f) + ", counted from 0, announces " +
              (corners >= OffData::wrongIndex ? "a wrong number of" : std::to_string(corners)) +
              " corners, more than the rest of the file can hold; copy or export it again");
-    for (uint32_t c = 0; c < corners; ++c) data_.cornerVertex.push(index());
+    uint32_t c = 0;
+    if (const char* q = p_ + 1; corners >= 3 && *p_ == ' ' && parseThree(q, data_.cornerVertex.room(3))) {
+        data_.cornerVertex.cut(data_.cornerVertex.size() + 3);
+        p_ = q;
+        c = 3;
+    }
+    for (; c < corners; ++c) data_.cornerVertex.push(index());
     if (data_.cornerVertex.size() >= none - 2) fail("more corners than 32-bit indices can number; split the file");
     data_.faceStart.push(uint32_t(data_.cornerVertex.size()));
     skipBlanks();

@@ -100,6 +100,18 @@ inline bool parsePlain(const char*& p, double& value)
     p = q + end;
     return true;
 }
+
+/// Where tokens end among 64 characters: a bit each.
+inline uint64_t tokenEnds(const char* p)
+{
+    uint64_t ends = 0;
+    for (int i = 0; i < 4; ++i) {
+        const __m128i c = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p) + i);
+        const __m128i blank = _mm_cmpeq_epi8(_mm_min_epu8(c, _mm_set1_epi8(' ')), c);
+        ends |= uint64_t(unsigned(_mm_movemask_epi8(blank))) << 16 * i;
+    }
+    return ends;
+}
 #else
 inline bool parsePlain(const char*&, double&)
 {
@@ -206,6 +218,51 @@ inline bool parseDigits(const char*& p, uint64_t& value)
     }
     value = v;
     return true;
+}
+/// A whole number of one to seven digits, as nearly all indices are; false when it is none.
+inline bool parseShort(const char*& p, uint32_t& value)
+{
+    const int count = detail::upToEightDigits(p, value);
+    if (count == 0 || count == 8) return false;
+    p += count;
+    return true;
+}
+
+namespace detail {
+
+/// See parseThree; `parse` reads one.
+template <class T, class Parse>
+bool threeAtOnce(const char*& p, T* to, const Parse& parse)
+{
+#ifdef __SSE2__
+    const uint64_t first = tokenEnds(p), second = first & (first - 1), third = second & (second - 1);
+    if (!third) return false;
+    const char* const ends[] = {p + std::countr_zero(first), p + std::countr_zero(second), p + std::countr_zero(third)};
+    if (*ends[0] != ' ' || *ends[1] != ' ') return false;
+    const char* q = p;
+    for (int k = 0; k < 3; ++k) {
+        if (!parse(q, to[k]) || q != ends[k]) return false;
+        q = ends[k] + 1;
+    }
+    p = ends[2];
+    return true;
+#else
+    return false;
+#endif
+}
+
+}  // namespace detail
+
+/// Three numbers with a space between, as nearly all places and triangles are written: the ends of all are found in one look at 64 characters, so
+/// that none waits for the digits of another. False, p as it was, when they stand otherwise. The bytes must be readable that far: see FileBytes.
+inline bool parseThree(const char*& p, float* to)
+{
+    return detail::threeAtOnce(p, to, [](const char*& q, float& v) { return parseNumber(q, v); });
+}
+/// The same for whole numbers of up to seven digits.
+inline bool parseThree(const char*& p, uint32_t* to)
+{
+    return detail::threeAtOnce(p, to, [](const char*& q, uint32_t& v) { return parseShort(q, v); });
 }
 
 /// A piece of a file for a message: cut short, nothing unprintable.

@@ -62,6 +62,13 @@ std::string errorOf(F&& f)
     }
     return {};
 }
+/// `text` with each `from` as `to`.
+inline std::string replaced(const std::string& text, char from, const std::string& to)
+{
+    std::string out;
+    for (const char c : text) out += c == from ? to : std::string(1, c);
+    return out;
+}
 inline std::string bytesOf(const std::filesystem::path& file)
 {
     std::ifstream in(file, std::ios::binary);

@@ -111,6 +111,26 @@ TEST(Off, ColoursOfFacesInAllTheirForms)
     EXPECT_EQ(meshOf(odd).faceCount(), 3u);
 }
 
+/// Plain lines are read in another way than others.
+TEST(Off, HowItIsSpacedChangesNothing)
+{
+    const Folder folder;
+    const std::string text =
+        "NOFF\n4 3 0\n0.5 -1.25 3 0 0 1\n1e0 0.0625 -7.5 0 1 0\n1 1 0 0.6 0.8 0\n0.123456789 1 12345678.5 1 0 0\n3 0 1 2\n4 0 1 2 3\n";
+    const std::string end = "3 1 2 3\n";
+    const Mesh plain = meshOf(read(folder, text + end));
+    EXPECT_EQ(plain.positions()[1], glm::vec3(1, 0.0625f, -7.5f));
+    EXPECT_EQ(plain.face(1)[3], 3u);
+    for (const auto& [from, to] : std::vector<std::pair<char, std::string>>{{' ', "  "}, {' ', "\t"}, {'\n', " \n"}, {'\n', "\r\n"}, {'\n', " # \n"}})
+        EXPECT_EQ(contentHash(meshOf(read(folder, replaced(text + end, from, to)))), contentHash(plain));
+    for (const char* broken : {"3 1 2 x\n", "3 1 2", "4 0 1 2", "3 1 2."}) {
+        const std::string error = errorOf([&] { readFile(folder.write("a.off", text + broken)); });
+        EXPECT_NE(error.find("face 2"), std::string::npos) << error;
+        EXPECT_NE(error.find("line 9"), std::string::npos) << error;
+    }
+    EXPECT_NE(errorOf([&] { readFile(folder.write("a.off", "OFF\n2 0 0\n0 0 0\n1 2 1.5y\n")); }).find("line 4"), std::string::npos);
+}
+
 TEST(Off, RecordsMayLieAnywhere)
 {
     const Folder folder;

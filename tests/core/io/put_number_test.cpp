@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "core/io/file.h"
 #include "core/io/text.h"
 
 namespace {
@@ -94,6 +95,46 @@ TEST(ParseNumber, AnyText)
         text += std::string_view(" \n\t/,#x.-").substr(random() % 9, 1);
         expectRead<float>(text);
         expectRead<double>(text);
+    }
+}
+
+/// Three at once are the three read one by one: wherever both read them, and wherever they stand plainly.
+template <class T, class One>
+void expectThree(const std::string& text, bool plain, const One& one)
+{
+    const std::string padded = text + "\n" + std::string(mw::FileBytes::padding, '\0');
+    const char *p = padded.c_str(), *q = p;
+    T ours[3], theirs[3];
+    const bool read = mw::parseThree(p, ours);
+    bool all = true;
+    for (int k = 0; all && k < 3; ++k) all = (k == 0 || *q++ == ' ') && one(q, theirs[k]) && mw::endsToken(*q);
+    const bool same = !read || (all && p == q && std::equal(ours, ours + 3, theirs));
+    EXPECT_TRUE(same && (read || !plain) && (read || p == padded.c_str())) << text;
+}
+
+TEST(ParseNumber, ThreeAtOnce)
+{
+    std::mt19937 random(6);
+    const std::string_view odd[] = {"",  "-",   ".", "1e5", "-2.5E-3", "+7", "inf", "1#", "12345678", "123456789012345678901234567890.5",
+                                    "x", "\t1", " 1"};
+    const auto number = [&](bool whole) {
+        return std::to_string(random() >> (12 + random() % 20)) + (whole ? "" : "." + std::to_string(random() % 10'000'000));
+    };
+    for (int i = 0; i < 200'000 && !HasFailure(); ++i) {
+        const bool whole = random() % 2, plain = random() % 2;
+        std::string text;
+        for (int k = 0; k < 3; ++k) {
+            if (k) text += plain || random() % 8 ? " " : std::string(std::string_view("\n\t/  ").substr(random() % 4, 1 + random() % 2));
+            text += plain || random() % 4 ? number(whole) : std::string(odd[random() % std::size(odd)]);
+        }
+        if (random() % 2) text += std::string_view(" \r\n").substr(random() % 3, 1);
+        expectThree<float>(text, plain, [](const char*& p, float& v) { return mw::parseNumber(p, v); });
+        expectThree<uint32_t>(text, plain && whole, [](const char*& p, uint32_t& v) {
+            uint64_t n = 0;
+            const bool read = mw::parseDigits(p, n);
+            v = uint32_t(n);
+            return read;
+        });
     }
 }
 

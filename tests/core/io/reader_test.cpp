@@ -39,13 +39,8 @@ TEST(ReadObj, LineEndsAndEncodings)
 {
     const std::string text = square + "f 1 2 \\\n3 4\n";
     const uint64_t hash = contentHash(meshOf(obj(text)));
-    const auto replaced = [&](const std::string& with) {
-        std::string r;
-        for (char c : text) r += c == '\n' ? with : std::string(1, c);
-        return r;
-    };
-    EXPECT_EQ(contentHash(meshOf(obj(replaced("\r\n")))), hash);
-    EXPECT_EQ(contentHash(meshOf(obj(replaced("\r")))), hash);
+    EXPECT_EQ(contentHash(meshOf(obj(replaced(text, '\n', "\r\n")))), hash);
+    EXPECT_EQ(contentHash(meshOf(obj(replaced(text, '\n', "\r")))), hash);
     EXPECT_EQ(contentHash(meshOf(obj("\xef\xbb\xbf" + text))), hash);
     EXPECT_EQ(contentHash(meshOf(obj(text.substr(0, text.size() - 1)))), hash);
     std::string little = "\xff\xfe", big = "\xfe\xff";
@@ -55,6 +50,24 @@ TEST(ReadObj, LineEndsAndEncodings)
     }
     EXPECT_EQ(contentHash(meshOf(obj(little))), hash);
     EXPECT_EQ(contentHash(meshOf(obj(big))), hash);
+}
+
+/// Plain lines are read in another way than others.
+TEST(ReadObj, HowItIsSpacedChangesNothing)
+{
+    const std::string text =
+        "v 0.5 -1.25 3\nv 1e0 0.0625 -7.5\nv 1 1 0\nv 0.123456789 1 12345678.5\nvn 0 0.5 1\nf 1 2 3\nf 1 2 3 4\nf 2 3 9\nf 2 3 4\n";
+    const Imported plain = obj(text);
+    EXPECT_EQ(corners(plain), (Indices{0, 1, 2, 0, 1, 2, 3, 1, 2, 3}));
+    EXPECT_EQ(meshOf(plain).positions()[1], glm::vec3(1, 0.0625f, -7.5f));
+    for (const auto& [from, to] :
+         std::vector<std::pair<char, std::string>>{{' ', "  "}, {' ', "\t"}, {'\n', " \n"}, {'\n', "\r\n"}, {' ', " \\\n "}}) {
+        const Imported in = obj(replaced(text, from, to));
+        EXPECT_EQ(contentHash(meshOf(in)), contentHash(meshOf(plain)));
+        ASSERT_TRUE(warning(in.warnings, "face-index"));
+        EXPECT_EQ(in.warnings.size(), plain.warnings.size());
+    }
+    EXPECT_NE(warning(plain.warnings, "face-index")->text.find("line 8"), std::string::npos);
 }
 
 TEST(ReadObj, NumbersInEveryForm)

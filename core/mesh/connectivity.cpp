@@ -150,30 +150,41 @@ Array<uint32_t> edgesOf(const Mesh& mesh)
     return pairs;
 }
 
-Rings ringsOf(const Mesh& mesh)
+Rings ringsOf(const Mesh& mesh, std::span<const uint8_t> leftOut)
 {
     const size_t n = mesh.vertexCount();
     Rings out;
     out.start.assign(n + 2, 0);
-    for (const uint32_t v : mesh.cornerVertex()) ++out.start[v + 2];
+    forSides(mesh, leftOut, [&](uint32_t, uint32_t v, uint32_t) { ++out.start[v + 2]; });
     accumulate(out.start);
-    out.corner.resize(mesh.cornerCount());
-    for (uint32_t c = 0; c < mesh.cornerCount(); ++c) out.corner[out.start[mesh.cornerVertex()[c] + 1]++] = c;
+    out.corner.resize(out.start.back());
+    forSides(mesh, leftOut, [&](uint32_t c, uint32_t v, uint32_t) { out.corner[out.start[v + 1]++] = c; });
     out.start.pop_back();
 
-    const EdgeSides edges = edgeSidesOf(mesh);
+    const EdgeSides edges = edgeSidesOf(mesh, leftOut);
     out.neighbourStart.assign(n + 2, 0);
     for (const uint32_t v : edges.ends) ++out.neighbourStart[v + 2];
     accumulate(out.neighbourStart);
     out.neighbour.resize(edges.ends.size());
+    out.sides.resize(edges.ends.size());
     // Edges come by lower vertex, so a vertex meets its lower neighbours before its higher ones: each list ascends.
     for (size_t e = 0; e < edges.size(); ++e) {
         const uint32_t a = edges.ends[2 * e], b = edges.ends[2 * e + 1];
-        out.neighbour[out.neighbourStart[a + 1]++] = b;
-        out.neighbour[out.neighbourStart[b + 1]++] = a;
+        const uint32_t atA = out.neighbourStart[a + 1]++, atB = out.neighbourStart[b + 1]++;
+        out.neighbour[atA] = b;
+        out.neighbour[atB] = a;
+        out.sides[atA] = out.sides[atB] = uint8_t(std::min<size_t>(edges.sides(e).size(), 255));
     }
     out.neighbourStart.pop_back();
     return out;
+}
+
+const Rings& ringsOfGoodFaces(const Mesh& mesh, Rings& own)
+{
+    const std::vector<uint8_t> degenerate = degenerateFacesOf(mesh);
+    if (degenerate.empty()) return mesh.rings();
+    own = ringsOf(mesh, degenerate);
+    return own;
 }
 
 std::vector<uint8_t> degenerateFacesOf(const Mesh& mesh)

@@ -26,12 +26,39 @@ Array<uint32_t> oppositeCornersOf(const Mesh& mesh, std::span<const uint8_t> lef
 
 /// Pairs of vertices, see Mesh::edges().
 Array<uint32_t> edgesOf(const Mesh& mesh);
-Rings ringsOf(const Mesh& mesh);
+/// Of all faces, or of those whose entry in `leftOut` is 0.
+Rings ringsOf(const Mesh& mesh, std::span<const uint8_t> leftOut = {});
+/// Of the faces that are not degenerate: those the mesh keeps, or where it has degenerate ones `own`, which is made.
+const Rings& ringsOfGoodFaces(const Mesh& mesh, Rings& own);
 
 /// 1 for every face with fewer than three corners or a vertex twice; empty when there is none.
 std::vector<uint8_t> degenerateFacesOf(const Mesh& mesh);
 
 /// Face of each corner.
 Array<uint32_t> cornerFacesOf(const Mesh& mesh);
+
+/// From corner to corner round faces, and to their faces: without a table where all are triangles.
+class FaceCorners {
+public:
+    explicit FaceCorners(const Mesh& mesh)
+        : start_(mesh.faceStart()), triangles_(mesh.isTriangles()), face_(triangles_ ? Array<uint32_t>() : cornerFacesOf(mesh))
+    {}
+    uint32_t faceOf(uint32_t c) const { return triangles_ ? c / 3 : face_[c]; }
+    uint32_t next(uint32_t c) const
+    {
+        if (triangles_) return c % 3 == 2 ? c - 2 : c + 1;
+        return c + 1 == start_[face_[c] + 1] ? start_[face_[c]] : c + 1;
+    }
+    uint32_t previous(uint32_t c) const
+    {
+        if (triangles_) return c % 3 == 0 ? c + 2 : c - 1;
+        return (c == start_[face_[c]] ? start_[face_[c] + 1] : c) - 1;
+    }
+
+private:
+    Shared<uint32_t> start_;
+    bool triangles_;
+    Array<uint32_t> face_;
+};
 
 }  // namespace mw

@@ -17,7 +17,9 @@ namespace {
 /// One phase a function, called in order by run().
 class Analysis {
 public:
-    explicit Analysis(const Mesh& mesh) : mesh_(mesh), at_(mesh.cornerVertex().data()), start_(mesh.faceStart().data()) {}
+    explicit Analysis(const Mesh& mesh)
+        : mesh_(mesh), at_(mesh.cornerVertex().data()), start_(mesh.faceStart().data()), triangles_(mesh.isTriangles()), corners_(mesh)
+    {}
     TopologyReport run();
 
 private:
@@ -37,25 +39,15 @@ private:
     void findIsolated();
     void conclude();
 
-    uint32_t next(uint32_t c) const
-    {
-        if (triangles_) return c % 3 == 2 ? c - 2 : c + 1;
-        const uint32_t f = cornerFace_[c];
-        return c + 1 == start_[f + 1] ? start_[f] : c + 1;
-    }
-    uint32_t prev(uint32_t c) const
-    {
-        if (triangles_) return c % 3 == 0 ? c + 2 : c - 1;
-        const uint32_t f = cornerFace_[c];
-        return c == start_[f] ? start_[f + 1] - 1 : c - 1;
-    }
-    uint32_t faceOf(uint32_t c) const { return triangles_ ? c / 3 : cornerFace_[c]; }
+    uint32_t next(uint32_t c) const { return corners_.next(c); }
+    uint32_t prev(uint32_t c) const { return corners_.previous(c); }
+    uint32_t faceOf(uint32_t c) const { return corners_.faceOf(c); }
     bool isLeftOut(size_t f) const { return !degenerate_.empty() && degenerate_[f]; }
 
     const Mesh& mesh_;
     const uint32_t *at_, *start_;
-    bool triangles_ = false;
-    Array<uint32_t> cornerFace_;  // empty for triangles
+    const bool triangles_;
+    const FaceCorners corners_;
     std::vector<uint8_t> degenerate_;
     Array<uint32_t> opposite_;         // of each corner
     EdgeSides edges_;                  // only where the mesh is no plain manifold
@@ -424,8 +416,6 @@ void Analysis::conclude()
 
 TopologyReport Analysis::run()
 {
-    triangles_ = mesh_.isTriangles();
-    if (!triangles_) cornerFace_ = cornerFacesOf(mesh_);
     degenerate_ = degenerateFacesOf(mesh_);
     countFaces();
     if (walkVertices())

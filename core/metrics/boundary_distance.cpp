@@ -2,7 +2,6 @@
 #include "core/metrics/boundary_distance.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/metrics/fan.h"
 
@@ -10,15 +9,14 @@ namespace mw {
 
 Generator boundaryDistance(Mesh input, BoundaryDistance, Stage<Table>& stage)
 {
-    constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
     co_yield Step("find border").number("vertices", double(input.vertexCount())).progress(0);
     const BorderNeighbours border = borderNeighboursOf(input);
     const Shared<glm::vec3>& at = input.positions();
     const size_t n = input.vertexCount();
     Table table;
     table.rows = ElementKind::Vertex;
-    table.columns.push_back({"d", "", Array<double>(n, undefined), false});
-    table.columns.push_back({"d / longest side", "", Array<double>(n, undefined), false});
+    addColumn(table, "d", "", n);
+    addColumn(table, "d / longest side", "", n);
     stage.show([&table] { return table; });
     double measured = 0, sum = 0, greatest = 0;
     for (uint32_t v = 0; v < n; ++v) {

@@ -2,7 +2,6 @@
 #include "core/metrics/edge_dihedral.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 
 #include "core/metrics/fan.h"
@@ -14,8 +13,8 @@ namespace {
 /// Edges with what the costs need, in the order of Mesh::edges().
 class EdgeCosts {
 public:
-    EdgeCosts(const Mesh& mesh, const EdgeDihedral& p) : mesh_(mesh), parameters_(p) {}
-    /// What is needed of the whole mesh, in four parts of some time each; false when there is no such part.
+    EdgeCosts(const Mesh& mesh, const EdgeDihedral& p) : mesh_(mesh), parameters_(p), rings_(mesh.rings()), corners_(mesh) {}
+    /// What is needed of the whole mesh, in three parts of some time each; false when there is no such part.
     bool gather(int part);
     size_t size() const { return ends_.size() / 2; }
     uint32_t a(size_t e) const { return ends_[2 * e]; }
@@ -27,59 +26,53 @@ public:
     uint32_t left = none, right = none;          // its sharpest pair of faces
 
 private:
-    void findSides();
+    void findSides(size_t e);
     void makeTable();
 
     const Mesh& mesh_;
     EdgeDihedral parameters_;
     Shared<uint32_t> ends_;
-    EdgeSides sides_;
-    Array<uint32_t> sidesOf_, faceOf_;
+    const Rings& rings_;
+    FaceCorners corners_;
+    std::vector<uint32_t> sides_;  // of the last edge
     Array<FaceMeasure> measures_;
 };
 
 bool EdgeCosts::gather(int part)
 {
     if (part == 0) ends_ = mesh_.edges();
-    if (part == 1) sides_ = edgeSidesOf(mesh_);
-    if (part == 2) {
-        faceOf_ = cornerFacesOf(mesh_);
-        measures_ = faceMeasuresOf(mesh_);
-    }
-    if (part == 3) {
-        findSides();
-        makeTable();
-    }
-    return part < 4;
+    if (part == 1) measures_ = faceMeasuresOf(mesh_);
+    if (part == 2) makeTable();
+    return part < 3;
 }
 
 void EdgeCosts::makeTable()
 {
-    constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
     table.rows = ElementKind::Edge;
     table.edges.assign(ends_.begin(), ends_.end());
-    table.columns = {{"cost", "", Array<double>(size(), undefined), false},
-                     {"angle", "\u00b0", Array<double>(size(), undefined), false},
-                     {"length", "", Array<double>(size(), undefined), false}};
-    for (size_t e = 0; e < size(); ++e)
-        longest = std::max(longest, glm::distance(glm::dvec3(mesh_.positions()[a(e)]), glm::dvec3(mesh_.positions()[b(e)])));
+    addColumn(table, "cost", "", size());
+    addColumn(table, "angle", "\u00b0", size());
+    addColumn(table, "length", "", size());
+    double square = 0;
+    for (size_t e = 0; e < size(); ++e) {
+        const glm::dvec3 side = glm::dvec3(mesh_.positions()[b(e)]) - glm::dvec3(mesh_.positions()[a(e)]);
+        square = std::max(square, glm::dot(side, side));
+    }
+    longest = std::sqrt(square);
 }
 
-// The sides are ordered by vertices, the edges by first corner.
-void EdgeCosts::findSides()
+/// At the end with fewer corners: else a cone of many faces would take the square of their number.
+void EdgeCosts::findSides(size_t e)
 {
-    Array<uint32_t> first(mesh_.vertexCount() + 1, 0u);
-    for (size_t s = 0; s < sides_.size(); ++s) ++first[sides_.ends[2 * s] + 1];
-    for (size_t v = 0; v < mesh_.vertexCount(); ++v) first[v + 1] += first[v];
-    sidesOf_.resize(size());
-    for (size_t e = 0; e < size(); ++e) {
-        uint32_t low = first[a(e)], high = first[a(e) + 1];
-        while (high - low > 1) {
-            const uint32_t middle = low + (high - low) / 2;
-            (sides_.ends[2 * middle + 1] <= b(e) ? low : high) = middle;
-        }
-        sidesOf_[e] = low;
+    uint32_t v = a(e), w = b(e);
+    if (rings_.cornersOf(v).size() > rings_.cornersOf(w).size()) std::swap(v, w);
+    sides_.clear();
+    const uint32_t* at = mesh_.cornerVertex().data();
+    for (const uint32_t c : rings_.cornersOf(v)) {
+        if (at[corners_.next(c)] == w) sides_.push_back(c);
+        if (const uint32_t p = corners_.previous(c); at[p] == w) sides_.push_back(p);
     }
+    if (sides_.size() > 1) std::sort(sides_.begin(), sides_.end());
 }
 
 void EdgeCosts::measure(size_t e)
@@ -87,20 +80,20 @@ void EdgeCosts::measure(size_t e)
     cosine = 1;
     left = right = none;
     length = glm::distance(glm::dvec3(mesh_.positions()[a(e)]), glm::dvec3(mesh_.positions()[b(e)]));
-    const auto sides = sides_.sides(sidesOf_[e]);
+    findSides(e);
     const auto runsUp = [&](uint32_t c) { return mesh_.cornerVertex()[c] == a(e); };
     // Of very many faces on one edge only neighbours in the list are compared: else it would take the square of their number.
-    for (size_t i = 0; i < sides.size(); ++i)
-        for (size_t j = i + 1; j < std::min(sides.size(), i + 16); ++j) {
-            const FaceMeasure &m = measures_[faceOf_[sides[i]]], &n = measures_[faceOf_[sides[j]]];
+    for (size_t i = 0; i < sides_.size(); ++i)
+        for (size_t j = i + 1; j < std::min(sides_.size(), i + 16); ++j) {
+            const FaceMeasure &m = measures_[corners_.faceOf(sides_[i])], &n = measures_[corners_.faceOf(sides_[j])];
             if (!(m.area > 0) || !(n.area > 0)) continue;
-            const double c = std::clamp((runsUp(sides[i]) == runsUp(sides[j]) ? -1 : 1) * glm::dot(m.normal, n.normal), -1.0, 1.0);
+            const double c = std::clamp((runsUp(sides_[i]) == runsUp(sides_[j]) ? -1 : 1) * glm::dot(m.normal, n.normal), -1.0, 1.0);
             if (left != none && c >= cosine) continue;
             cosine = c;
-            left = faceOf_[sides[i]];
-            right = faceOf_[sides[j]];
+            left = corners_.faceOf(sides_[i]);
+            right = corners_.faceOf(sides_[j]);
         }
-    if (left == none && !sides.empty()) left = faceOf_[sides[0]];
+    if (left == none && !sides_.empty()) left = corners_.faceOf(sides_[0]);
     const double angle = std::acos(cosine), share = longest > 0 ? length / longest : 0, k1 = parameters_.k1, k2 = parameters_.k2;
     double cost = k1 * angle + k2 * length;
     if (parameters_.form == EdgeDihedral::Form::Normalised) cost = k1 * angle / std::numbers::pi + k2 * share;
@@ -115,6 +108,8 @@ void EdgeCosts::measure(size_t e)
 Generator edgeDihedral(Mesh input, EdgeDihedral parameters, Stage<Table>& stage)
 {
     co_yield Step("gather").number("faces", double(input.faceCount())).progress(0);
+    input.rings();  // kept with the mesh
+    if (!stage.watched()) co_yield Step("gather").progress(0);
     EdgeCosts costs(input, parameters);
     for (int part = 0; costs.gather(part); ++part)
         if (!stage.watched()) co_yield Step("gather").progress(0);

@@ -2,7 +2,6 @@
 #include "core/metrics/edge_quadric.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mw {
 
@@ -26,7 +25,6 @@ QuadricPoint bestPoint(const Quadric& sum, const glm::dvec3& a, const glm::dvec3
 
 Generator edgeQuadric(Mesh input, EdgeQuadric parameters, Stage<Table>& stage)
 {
-    constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
     co_yield Step("gather").number("vertices", double(input.vertexCount())).progress(0);
     const VertexQuadrics q = vertexQuadricsOf(input, faceMeasuresOf(input), parameters.weight);
     if (!stage.watched()) co_yield Step("gather").progress(0);
@@ -36,7 +34,7 @@ Generator edgeQuadric(Mesh input, EdgeQuadric parameters, Stage<Table>& stage)
     Table table;
     table.rows = ElementKind::Edge;
     table.edges.assign(ends.begin(), ends.end());
-    for (const char* name : {"cost", "x", "y", "z", "solved"}) table.columns.push_back({name, "", Array<double>(n, undefined), false});
+    for (const char* name : {"cost", "x", "y", "z", "solved"}) addColumn(table, name, "", n);
     stage.show([&table] { return table; });
     double sum = 0, greatest = 0, solved = 0;
     for (size_t e = 0; e < n; ++e) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <utility>
 
 #include "core/mesh/large_pages.h"
 
@@ -29,7 +29,7 @@ Array<FaceMeasure> faceMeasuresOf(const Mesh& mesh)
         });
         return out;
     }
-    Array<FaceMeasure> out(mesh.faceCount(), FaceMeasure());
+    Array<FaceMeasure> out(mesh.faceCount(), FaceMeasure{glm::dvec3(0), 0, glm::dvec3(0)});
     const size_t n = cut.faces.size();
     for (size_t first = 0, last = 0; first < n; first = last) {
         glm::dvec3 normal(0), centroid(0);
@@ -46,10 +46,10 @@ Array<FaceMeasure> faceMeasuresOf(const Mesh& mesh)
     return out;
 }
 
-std::vector<uint32_t> facesAt(const Mesh& mesh, const Array<uint32_t>& faceOf, uint32_t vertex)
+std::vector<uint32_t> facesAt(const Mesh& mesh, const FaceCorners& corners, uint32_t vertex)
 {
     std::vector<uint32_t> faces;
-    for (const uint32_t c : mesh.rings().cornersOf(vertex)) faces.push_back(faceOf[c]);
+    for (const uint32_t c : mesh.rings().cornersOf(vertex)) faces.push_back(corners.faceOf(c));
     return faces;
 }
 
@@ -65,52 +65,12 @@ decltype(Table::summary) summaryOfMeasured(const Array<double>& values)
     return {{"measured", measured}, {"mean", measured > 0 ? sum / measured : 0}, {"greatest", greatest}};
 }
 
-namespace {
-
-using Edge = std::pair<uint32_t, uint32_t>;  // the lower vertex first
-
-/// For each side of the faces that are not degenerate.
-template <class Body>
-void forSides(const Mesh& mesh, const std::vector<uint8_t>& degenerate, const Body& body)
+void addColumn(Table& table, const char* name, const char* unit, size_t rows)
 {
-    for (size_t f = 0; f < mesh.faceCount(); ++f) {
-        if (!degenerate.empty() && degenerate[f]) continue;
-        const uint32_t first = mesh.faceStart()[f], last = mesh.faceStart()[f + 1];
-        for (uint32_t c = first; c < last; ++c)
-            body(c, Edge(std::minmax({mesh.cornerVertex()[c], mesh.cornerVertex()[c + 1 < last ? c + 1 : first]})));
-    }
+    Array<double> values = largeArray<double>(rows);
+    std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
+    table.columns.push_back({name, unit, std::move(values), false});
 }
-
-/// The edges of one face alone, ascending.
-std::vector<Edge> borderEdgesOf(const Mesh& mesh)
-{
-    const std::vector<uint8_t> degenerate = degenerateFacesOf(mesh);
-    const Array<uint32_t> opposite = oppositeCornersOf(mesh, degenerate);
-    std::vector<Edge> open;
-    if (std::find(opposite.begin(), opposite.end(), none) == opposite.end()) return open;
-    std::vector<bool> atOpen(mesh.vertexCount());
-    forSides(mesh, degenerate, [&](uint32_t c, const Edge& e) {
-        if (opposite[c] != none) return;
-        open.push_back(e);
-        atOpen[e.first] = atOpen[e.second] = true;
-    });
-    std::sort(open.begin(), open.end());
-    open.erase(std::unique(open.begin(), open.end()), open.end());
-    // A side without an opposite is no border where others share its edge, be it a pair or one of the same direction.
-    std::vector<uint32_t> sides(open.size());
-    forSides(mesh, degenerate, [&](uint32_t, const Edge& e) {
-        if (!atOpen[e.first] || !atOpen[e.second]) return;
-        const auto i = std::lower_bound(open.begin(), open.end(), e);
-        if (i != open.end() && *i == e) ++sides[size_t(i - open.begin())];
-    });
-    size_t kept = 0;
-    for (size_t i = 0; i < open.size(); ++i)
-        if (sides[i] == 1) open[kept++] = open[i];
-    open.resize(kept);
-    return open;
-}
-
-}  // namespace
 
 BorderNeighbours borderNeighboursOf(const Mesh& mesh)
 {
@@ -125,10 +85,11 @@ BorderNeighbours borderNeighboursOf(const Mesh& mesh)
             b.place[v] = Place::Branch;
         if (b.place[v] == Place::Inside) b.place[v] = Place::Border;
     };
-    for (const auto& [v, w] : borderEdgesOf(mesh)) {
-        add(v, w);
-        add(w, v);
-    }
+    Rings own;
+    const Rings& rings = ringsOfGoodFaces(mesh, own);
+    for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+        for (uint32_t i = rings.neighbourStart[v]; i < rings.neighbourStart[v + 1]; ++i)
+            if (rings.sides[i] == 1) add(v, rings.neighbour[i]);
     return b;
 }
 

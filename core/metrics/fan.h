@@ -11,10 +11,10 @@
 
 namespace mw {
 
-struct FaceMeasure {
-    glm::dvec3 normal{0};  ///< unit; 0 where there is no area
-    double area = 0;
-    glm::dvec3 centroid{0};
+struct alignas(64) FaceMeasure {
+    glm::dvec3 normal;  ///< unit; 0 where there is no area
+    double area;
+    glm::dvec3 centroid;
 };
 /// Of every face.
 Array<FaceMeasure> faceMeasuresOf(const Mesh& mesh);
@@ -41,8 +41,11 @@ private:
     double area_ = 0;
 };
 
-/// The faces at a vertex, in the order of its corners. `faceOf`: cornerFacesOf(mesh).
-std::vector<uint32_t> facesAt(const Mesh& mesh, const Array<uint32_t>& faceOf, uint32_t vertex);
+/// The faces at a vertex, in the order of its corners.
+std::vector<uint32_t> facesAt(const Mesh& mesh, const FaceCorners& corners, uint32_t vertex);
+
+/// Adds a column of `rows` values that are not there yet.
+void addColumn(Table& table, const char* name, const char* unit, size_t rows);
 
 /// For a table's summary, of the values that are numbers: how many, "mean" and "greatest".
 decltype(Table::summary) summaryOfMeasured(const Array<double>& values);

@@ -10,25 +10,21 @@ namespace mw {
 Generator vertexValence(Mesh input, VertexValence, Stage<Table>& stage)
 {
     co_yield Step("count edges").number("vertices", double(input.vertexCount())).progress(0);
-    const std::vector<uint8_t> degenerate = degenerateFacesOf(input);
-    const EdgeSides edges = edgeSidesOf(input, degenerate);
-    Array<double> valence(input.vertexCount(), 0.);
-    std::vector<uint8_t> onBoundary(input.vertexCount(), 0);
-    for (size_t e = 0; e < edges.size(); ++e)
-        for (const uint32_t v : {edges.ends[2 * e], edges.ends[2 * e + 1]}) {
-            ++valence[v];
-            if (edges.sides(e).size() == 1) onBoundary[v] = 1;
-        }
-
+    Rings own;
+    const Rings& rings = ringsOfGoodFaces(input, own);
+    Array<double> valence(input.vertexCount());
     const double inner = input.isTriangles() ? 6 : 4, outer = input.isTriangles() ? 4 : 3;
     double used = 0, regular = 0, sum = 0, least = 0, greatest = 0;
-    for (size_t v = 0; v < valence.size(); ++v) {
+    for (uint32_t v = 0; v < valence.size(); ++v) {
+        const auto sides = rings.sidesAt(v);
+        const bool onBoundary = std::find(sides.begin(), sides.end(), 1) != sides.end();
+        valence[v] = double(sides.size());
         if (valence[v] == 0) continue;
         least = used == 0 ? valence[v] : std::min(least, valence[v]);
         greatest = std::max(greatest, valence[v]);
         sum += valence[v];
         used += 1;
-        regular += valence[v] == (onBoundary[v] ? outer : inner);
+        regular += valence[v] == (onBoundary ? outer : inner);
     }
     Table table;
     table.rows = ElementKind::Vertex;
@@ -38,7 +34,7 @@ Generator vertexValence(Mesh input, VertexValence, Stage<Table>& stage)
                      {"greatest", greatest},
                      {"regular share", used > 0 ? regular / used : 0},
                      {"sum of valences", sum},
-                     {"edges", double(edges.size())}};
+                     {"edges", sum / 2}};
     stage.finish(std::move(table));
 }
 

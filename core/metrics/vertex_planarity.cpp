@@ -2,7 +2,6 @@
 #include "core/metrics/vertex_planarity.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/metrics/fan.h"
 
@@ -10,19 +9,16 @@ namespace mw {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-
 /// One vertex after the other, so that a step can stop at each.
 class Planarity {
 public:
-    Planarity(const Mesh& mesh, BorderNeighbours border)
-        : mesh_(mesh), measures_(faceMeasuresOf(mesh)), faceOf_(cornerFacesOf(mesh)), border_(std::move(border))
+    Planarity(const Mesh& mesh, BorderNeighbours border) : mesh_(mesh), measures_(faceMeasuresOf(mesh)), corners_(mesh), border_(std::move(border))
     {
         table.rows = ElementKind::Vertex;
-        table.columns = {{"d / longest edge", "", Array<double>(mesh.vertexCount(), undefined), false},
-                         {"d", "", Array<double>(mesh.vertexCount(), undefined), false}};
+        addColumn(table, "d / longest edge", "", mesh.vertexCount());
+        addColumn(table, "d", "", mesh.vertexCount());
     }
-    std::vector<uint32_t> facesOf(uint32_t v) const { return facesAt(mesh_, faceOf_, v); }
+    std::vector<uint32_t> facesOf(uint32_t v) const { return facesAt(mesh_, corners_, v); }
     bool inside(uint32_t v) const { return border_.place[v] == BorderNeighbours::Place::Inside; }
     void measure(uint32_t v);
 
@@ -33,7 +29,7 @@ public:
 private:
     const Mesh& mesh_;
     Array<FaceMeasure> measures_;
-    Array<uint32_t> faceOf_;
+    FaceCorners corners_;
     BorderNeighbours border_;
 };
 
@@ -42,7 +38,7 @@ void Planarity::measure(uint32_t v)
     const Rings& rings = mesh_.rings();
     const glm::dvec3 p = mesh_.positions()[v];
     AveragePlane plane;
-    for (const uint32_t c : rings.cornersOf(v)) plane.add(measures_[faceOf_[c]]);
+    for (const uint32_t c : rings.cornersOf(v)) plane.add(measures_[corners_.faceOf(c)]);
     double square = 0;
     for (const uint32_t w : rings.neighboursOf(v)) {
         const glm::dvec3 side = glm::dvec3(mesh_.positions()[w]) - p;
@@ -64,9 +60,9 @@ void Planarity::measure(uint32_t v)
 Generator vertexPlanarity(Mesh input, VertexPlanarity, Stage<Table>& stage)
 {
     co_yield Step("gather").number("vertices", double(input.vertexCount())).progress(0);
-    BorderNeighbours border = borderNeighboursOf(input);
-    if (!stage.watched()) co_yield Step("gather").progress(0);
     input.rings();  // kept with the mesh
+    if (!stage.watched()) co_yield Step("gather").progress(0);
+    BorderNeighbours border = borderNeighboursOf(input);
     if (!stage.watched()) co_yield Step("gather").progress(0);
     Planarity p(input, std::move(border));
     const double all = double(input.vertexCount());

@@ -2,25 +2,22 @@
 #include "core/metrics/vertex_quadric.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mw {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-
 class Costs {
 public:
     Costs(const Mesh& mesh, const VertexQuadric& p, const Array<FaceMeasure>& measures)
-        : quadrics(vertexQuadricsOf(mesh, measures, p.weight)), mesh_(mesh), measures_(measures), faceOf_(cornerFacesOf(mesh)), at_(p.at)
+        : quadrics(vertexQuadricsOf(mesh, measures, p.weight)), mesh_(mesh), measures_(measures), corners_(mesh), at_(p.at)
     {
         table.rows = ElementKind::Vertex;
-        table.columns = {{"QEM", "", Array<double>(mesh.vertexCount(), undefined), false},
-                         {"distance", "", Array<double>(mesh.vertexCount(), undefined), false}};
+        addColumn(table, "QEM", "", mesh.vertexCount());
+        addColumn(table, "distance", "", mesh.vertexCount());
     }
     bool measure(uint32_t v);
-    std::vector<uint32_t> facesOf(uint32_t v) const { return facesAt(mesh_, faceOf_, v); }
+    std::vector<uint32_t> facesOf(uint32_t v) const { return facesAt(mesh_, corners_, v); }
 
     Table table;
     VertexQuadrics quadrics;
@@ -32,7 +29,7 @@ private:
 
     const Mesh& mesh_;
     const Array<FaceMeasure>& measures_;
-    Array<uint32_t> faceOf_;
+    FaceCorners corners_;
     VertexQuadric::At at_;
 };
 
@@ -40,7 +37,7 @@ glm::dvec3 Costs::placeOf(uint32_t v) const
 {
     if (at_ == VertexQuadric::At::Plane) {
         AveragePlane plane;
-        for (const uint32_t c : mesh_.rings().cornersOf(v)) plane.add(measures_[faceOf_[c]]);
+        for (const uint32_t c : mesh_.rings().cornersOf(v)) plane.add(measures_[corners_.faceOf(c)]);
         return plane.point();
     }
     const auto ring = mesh_.rings().neighboursOf(v);

@@ -141,6 +141,47 @@ TEST(EdgeDihedral, OfABoxInAllForms)
     }
 }
 
+/// Triangles and polygons, with third faces, degenerate ones and neighbours that run the same way.
+Mesh soupOf(Random& random)
+{
+    const auto below = [&](uint32_t n) { return uint32_t(random.next() % n); };
+    const uint32_t vertices = 3 + below(8), faces = below(14);
+    Array<uint32_t> start{0u}, corners;
+    for (uint32_t f = 0; f < faces; ++f) {
+        for (uint32_t c = below(6) == 0 ? below(6) : 3; c > 0; --c) corners.push_back(below(vertices));
+        start.push_back(uint32_t(corners.size()));
+    }
+    Array<glm::vec3> positions(vertices);
+    for (glm::vec3& p : positions) p = glm::vec3(glm::dvec3(random.uniform(), random.uniform(), random.uniform()));
+    return Mesh(std::move(positions), std::move(start), std::move(corners));
+}
+
+// Of all pairs of faces at an edge the sharpest, whichever way they run along it.
+TEST(EdgeDihedral, OfSoups)
+{
+    Random random(8);
+    for (int soup = 0; soup < 1000; ++soup) {
+        const Mesh mesh = soupOf(random);
+        const Array<FaceMeasure> measures = faceMeasuresOf(mesh);
+        std::map<std::pair<uint32_t, uint32_t>, std::vector<glm::dvec3>> normals;  // turned to run from the lower vertex
+        for (size_t f = 0; f < mesh.faceCount(); ++f)
+            for (size_t k = 0; k < mesh.face(f).size(); ++k) {
+                const uint32_t a = mesh.face(f)[k], b = mesh.face(f)[(k + 1) % mesh.face(f).size()];
+                if (a != b) normals[std::minmax({a, b})].push_back((a < b ? 1. : -1.) * (measures[f].area > 0 ? measures[f].normal : glm::dvec3(0)));
+            }
+        const Table t = table("edge-dihedral", mesh);
+        ASSERT_EQ(t.edges.size(), 2 * normals.size());
+        for (size_t e = 0; e < normals.size(); ++e) {
+            double cosine = 2;
+            const auto& at = normals.at({t.edges[2 * e], t.edges[2 * e + 1]});
+            for (size_t i = 0; i < at.size(); ++i)
+                for (size_t j = i + 1; j < at.size(); ++j)
+                    if (at[i] != glm::dvec3(0) && at[j] != glm::dvec3(0)) cosine = std::min(cosine, -glm::dot(at[i], at[j]));
+            ASSERT_NEAR(std::cos(t.columns[1].values[e] * pi / 180), std::min(cosine, 1.0), 1e-12) << "soup " << soup;
+        }
+    }
+}
+
 TEST(EdgeDihedral, AnglesAreThoseOfOpenMesh)
 {
     using Tri = OpenMesh::TriMesh_ArrayKernelT<>;
@@ -349,20 +390,14 @@ TEST(SurfaceDistance, PointsAreSpreadByArea)
     EXPECT_THROW(distance(Mesh(), two), Error);
 }
 
-// Soups of triangles and polygons, with third faces, degenerate ones and neighbours that run the same way: the border by its definition.
+// The border by its definition.
 TEST(Border, IsTheEdgesOfOneFace)
 {
     using Place = BorderNeighbours::Place;
     Random random(7);
-    const auto below = [&](uint32_t n) { return uint32_t(random.next() % n); };
     for (int soup = 0; soup < 3000; ++soup) {
-        const uint32_t vertices = 3 + below(8), faces = below(14);
-        Array<uint32_t> start{0u}, corners;
-        for (uint32_t f = 0; f < faces; ++f) {
-            for (uint32_t c = below(6) == 0 ? below(6) : 3; c > 0; --c) corners.push_back(below(vertices));
-            start.push_back(uint32_t(corners.size()));
-        }
-        const Mesh mesh(Array<glm::vec3>(vertices, glm::vec3(0)), start, corners);
+        const Mesh mesh = soupOf(random);
+        const uint32_t vertices = uint32_t(mesh.vertexCount()), faces = uint32_t(mesh.faceCount());
         std::map<std::pair<uint32_t, uint32_t>, int> sides;
         const std::vector<uint8_t> degenerate = degenerateFacesOf(mesh);
         for (size_t f = 0; f < faces; ++f) {

@@ -19,6 +19,7 @@ using namespace quick;
 constexpr size_t slice = 1 << 16;    // entries of the queue between two looks at whether to stop
 constexpr size_t atOnce = 16;        // regions that are begun between two looks
 constexpr int blockFaces = 1 << 14;  // half a megabyte of faces and as much of vertices
+constexpr size_t cached = 1 << 17;   // faces of so small a mesh and their vertices, 8 MB, are near enough as they are
 constexpr double growth = 3;         // octaves of cost while the faces become half as many
 
 /// One region, and how far it is.
@@ -106,7 +107,7 @@ QuickDecimation::QuickDecimation(Mesh input, const DecimateQuadric& p, bool watc
         pieces_.back().worker->reserve(blocks ? inside / 2 : inside * 3 / 2);
     }
     if (usesPieces_) return;
-    whole_ = std::make_unique<Worker>(tables, Range{0, int(tables.vertices.size())}, true);
+    whole_ = std::make_unique<Worker>(tables, Range{0, int(tables.vertices.size())}, first_ > cached);
     whole_->reserve(first_ * 3 / 2);
     whole_->rank(0, int(first_));
 }
@@ -186,7 +187,7 @@ bool QuickDecimation::raise()
 
 void QuickDecimation::joinPieces()
 {
-    whole_ = std::make_unique<Worker>(tables, Range{0, int(tables.vertices.size())}, true);
+    whole_ = std::make_unique<Worker>(tables, Range{0, int(tables.vertices.size())}, first_ > cached);
     for (Piece& p : pieces_) {
         gone_ += p.worker->removed();
         whole_->takeOver(*p.worker);

@@ -34,30 +34,6 @@ const char* perWhat(ElementKind rows)
     }
 }
 
-/// Places a label beside its point where it covers no other label, below right if there is no such place.
-glm::vec2 labelPlace(glm::vec2 at, glm::vec2 extent, float gap, std::vector<std::pair<glm::vec2, glm::vec2>>& taken)
-{
-    const glm::vec2 places[] = {{gap, gap},
-                                {-gap - extent.x, gap},
-                                {gap, -gap - extent.y},
-                                {-gap - extent.x, -gap - extent.y},
-                                {-0.5f * extent.x, 1.6f * gap},
-                                {-0.5f * extent.x, -1.6f * gap - extent.y}};
-    const auto isFree = [&](glm::vec2 low) {
-        return std::none_of(taken.begin(), taken.end(), [&](const auto& t) {
-            return low.x < t.second.x && t.first.x < low.x + extent.x && low.y < t.second.y && t.first.y < low.y + extent.y;
-        });
-    };
-    glm::vec2 low = glm::round(at + places[0]);
-    for (const glm::vec2& p : places) {
-        if (!isFree(glm::round(at + p))) continue;
-        low = glm::round(at + p);
-        break;
-    }
-    taken.emplace_back(low, low + extent);
-    return low;
-}
-
 /// Counts a heat map's bars once for each table and column: counting a million values is too much for every frame.
 struct HistogramCache {
     std::weak_ptr<const Table> table;
@@ -156,20 +132,51 @@ std::string tickText(double v)
     return s;
 }
 
+std::optional<Rectangle> placeLabel(glm::vec2 at, glm::vec2 extent, float gap, glm::vec2 picture, std::vector<Rectangle>& taken)
+{
+    constexpr int rings = 6;
+    const auto inside = [&](glm::vec2 low) { return low.x >= 0 && low.y >= 0 && low.x + extent.x <= picture.x && low.y + extent.y <= picture.y; };
+    const auto isFree = [&](glm::vec2 low) {
+        return std::none_of(taken.begin(), taken.end(), [&](const Rectangle& t) {
+            return low.x < t.high.x && t.low.x < low.x + extent.x && low.y < t.high.y && t.low.y < low.y + extent.y;
+        });
+    };
+    for (int ring = 0; ring < rings; ++ring) {
+        const float out = gap + float(ring) * (extent.y + 0.4f * gap), left = -gap - extent.x, above = -out - extent.y;
+        const glm::vec2 places[] = {
+            {gap, out}, {left, out}, {gap, above}, {left, above}, {-0.5f * extent.x, out + 0.6f * gap}, {-0.5f * extent.x, above - 0.6f * gap}};
+        for (const glm::vec2& p : places) {
+            const glm::vec2 low = glm::round(at + p);
+            if ((ring > 0 && !inside(low)) || !isFree(low)) continue;
+            taken.push_back({low, low + extent});
+            return taken.back();
+        }
+    }
+    return std::nullopt;
+}
+
 void drawLabels(const DrawContext& c, Canvas& canvas)
 {
     const ThemeColors& theme = themeColors(Theme::Dark);  // labels are dark in both themes: they lie on the model
     const float px = float(c.frame.options.pixelRatio);
     const int font = int(std::lround(13 * px));
-    std::vector<std::pair<glm::vec2, glm::vec2>> taken;
+    std::vector<Rectangle> taken;
+    std::vector<const Label*> shown;
     for (const Label& label : c.frame.labels) {
         const glm::dvec4 clip = c.clipFromView * c.viewFromWorld * glm::dvec4(glm::dvec3(label.atWorld), 1);
         if (clip.w <= 0 || label.text.empty()) continue;
         const glm::vec2 at((0.5 * (clip.x / clip.w + 1)) * c.size.x, (0.5 * (1 - clip.y / clip.w)) * c.size.y);
-        const float w = canvas.width(label.text, font, true);
-        const glm::vec2 extent = glm::vec2(w + 11 * px, 21 * px), low = labelPlace(at, extent, 9 * px, taken), high = low + extent;
-        canvas.box(low, high, glm::vec4(theme.field, 0.94f), 3 * px);
-        canvas.text({low.x + 5.5f * px, high.y - 6 * px}, label.text, font, label.color, true);
+        const glm::vec2 extent(canvas.width(label.text, font, true) + 11 * px, 21 * px);
+        const auto box = placeLabel(at, extent, 9 * px, glm::vec2(c.size), taken);
+        if (!box) continue;
+        shown.push_back(&label);
+        // What lies further out is led back to its point.
+        const glm::vec2 nearest = glm::clamp(at, box->low, box->high);
+        if (glm::distance(nearest, at) > extent.y) canvas.stroke(at, nearest, 1.2f * px, glm::vec4(glm::vec3(label.color), 0.8f));
+    }
+    for (size_t i = 0; i < shown.size(); ++i) {
+        canvas.box(taken[i].low, taken[i].high, glm::vec4(theme.field, 0.94f), 3 * px);
+        canvas.text({taken[i].low.x + 5.5f * px, taken[i].high.y - 6 * px}, shown[i]->text, font, shown[i]->color, true);
     }
 }
 

@@ -13,6 +13,26 @@ namespace {
 
 using namespace test;
 
+TEST(Labels, OfASmallElementLieApart)
+{
+    const glm::vec2 picture(640, 480), extent(80, 21), point(320, 240);
+    std::vector<Rectangle> taken;
+    for (int i = 0; i < 9; ++i) ASSERT_TRUE(placeLabel(point + glm::vec2(2 * i, i), extent, 9, picture, taken)) << i;
+    ASSERT_EQ(taken.size(), 9u);
+    for (size_t i = 0; i < taken.size(); ++i) {
+        EXPECT_EQ(taken[i].high - taken[i].low, extent);
+        EXPECT_TRUE(taken[i].low.x >= 0 && taken[i].low.y >= 0 && taken[i].high.x <= picture.x && taken[i].high.y <= picture.y) << i;
+        for (size_t k = 0; k < i; ++k)
+            EXPECT_FALSE(taken[i].low.x < taken[k].high.x && taken[k].low.x < taken[i].high.x && taken[i].low.y < taken[k].high.y &&
+                         taken[k].low.y < taken[i].high.y)
+                << i << " over " << k;
+    }
+    // The first one is where it has always been, and what finds no room is left out.
+    EXPECT_EQ(taken[0].low, point + glm::vec2(9));
+    while (placeLabel(point, extent, 9, picture, taken) && taken.size() < 1000) continue;
+    EXPECT_LT(taken.size(), 1000u);
+}
+
 TEST(Focus, RolesDifferInShapeAndColour)
 {
     StepRecord step;

@@ -117,6 +117,11 @@ void shootRecords(MainWindow& w, const QString& folder)
         emit combo->activated(int(drawing));
         settle(w);
         shoot(w, folder, QString("records-%1").arg(int(drawing)));
+        camera.distance *= 6;  // a small element
+        w.session().view.touch();
+        settle(w);
+        shoot(w, folder, QString("records-%1-far").arg(int(drawing)));
+        camera.distance /= 6;
     }
 }
 

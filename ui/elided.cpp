@@ -35,10 +35,27 @@ bool ElidedLabel::event(QEvent* e)
     return QLabel::event(e);
 }
 
+namespace {
+constexpr int air = 4;  // a style sheet leaves it between the text and the frame, and does not count it
+}
+
+QSize ElidedComboBox::sizeHint() const
+{
+    return QComboBox::sizeHint() + QSize(air, 0);
+}
+
 QSize ElidedComboBox::minimumSizeHint() const
 {
     const QSize all = QComboBox::minimumSizeHint();
     return {std::min(all.width(), 44 + 6 * fontMetrics().averageCharWidth()), all.height()};  // padding and arrow
+}
+
+QString ElidedComboBox::shownText() const
+{
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    const int room = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).width() - air;
+    return fontMetrics().elidedText(option.currentText, Qt::ElideRight, room);
 }
 
 void ElidedComboBox::paintEvent(QPaintEvent*)
@@ -47,8 +64,7 @@ void ElidedComboBox::paintEvent(QPaintEvent*)
     QStyleOptionComboBox option;
     initStyleOption(&option);
     painter.drawComplexControl(QStyle::CC_ComboBox, option);
-    const int room = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).width() - 4;
-    option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideRight, room);
+    option.currentText = shownText();
     painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 

@@ -25,7 +25,9 @@ class ElidedComboBox : public QComboBox {
 
 public:
     using QComboBox::QComboBox;
+    QSize sizeHint() const override;
     QSize minimumSizeHint() const override;  ///< of some letters
+    QString shownText() const;               ///< of the current one, as much as there is room for
 
 protected:
     void paintEvent(QPaintEvent* e) override;

@@ -80,6 +80,8 @@ private:
             if (w->width() < needed) blame(w, QString("is %1 wide, its text %2").arg(w->width()).arg(needed));
             return;
         }
+        if (auto* combo = qobject_cast<const ElidedComboBox*>(w); combo && w->width() >= hint.width() && combo->shownText() != combo->currentText())
+            blame(w, "shows " + combo->shownText() + " where there is room");
         if (w->height() < hint.height()) blame(w, QString("is %1 high, needs %2").arg(w->height()).arg(hint.height()));
         if (!elides(w) && w->width() < hint.width()) blame(w, QString("is %1 wide, needs %2").arg(w->width()).arg(hint.width()));
     }

@@ -1,24 +1,18 @@
 // Results side by side on one mesh: variants of the last modifier and one scale of colours.
-#include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QLayout>
-#include <QTest>
 #include <cmath>
 
 #include "core/catalog/catalog.h"
-#include "ui/application.h"
-#include "ui/evaluation_service.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/file_commands.h"
-#include "ui/main_window.h"
 #include "ui/pictures.h"
 #include "ui/stack_edits.h"
 #include "ui/theme.h"
 #include "ui/variants.h"
 #include "ui/view_area.h"
-#include "ui/viewport/viewport.h"
 
 using namespace mw;
 
@@ -48,35 +42,18 @@ Mesh openSphere()
 
 }  // namespace
 
-class CompareTest : public QObject {
+class CompareTest : public QObject, protected WindowFixture {
     Q_OBJECT
 
 private:
-    std::unique_ptr<MainWindow> w_;
-
-    Document& document() { return w_->session().document; }
-    Session& session() { return w_->session(); }
     MeshId mesh() { return document().scene().meshes().front(); }
     NodeId node() { return document().scene().nodes().front(); }
-    void settle()
-    {
-        QTest::qWait(50);
-        QTRY_VERIFY_WITH_TIMEOUT(w_->evaluations().idle() && !session().jobs.busy(), 60000);
-        QTest::qWait(50);
-        QTRY_VERIFY_WITH_TIMEOUT(!session().jobs.busy(), 60000);
-    }
     void open(const Mesh& m)
     {
         w_->files().openScene(sceneOf(m, "thing"), "Open");
         settle();
         document().select({{node()}, {}, {}});
         w_->viewport().frameAll(false);
-    }
-    QAction* action(const QString& text)
-    {
-        for (QAction* a : w_->findChildren<QAction*>())
-            if (a->text() == text) return a;
-        qFatal("there is no action \"%s\"", qPrintable(text));
     }
     const DrawObject& drawn(int view) { return w_->views().at(view).frame().objects.at(0); }
     QString said(int view) { return w_->views().at(view).findChild<QLabel*>("shownText")->text(); }
@@ -108,13 +85,7 @@ private:
     }
 
 private slots:
-    void init()
-    {
-        w_ = std::make_unique<MainWindow>();
-        w_->resize(1600, 1000);
-        w_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(w_.get()));
-    }
+    void init() { showWindow(1600, 1000); }
     void cleanup() { w_.reset(); }
 
     void fourEmbeddingsShareOneScale()
@@ -293,11 +264,7 @@ private slots:
 
 int main(int argc, char** argv)
 {
-    prepareApplication();
-    QApplication app(argc, argv);
-    dressApplication(app);
-    CompareTest test;
-    return QTest::qExec(&test, argc, argv);
+    return runTests<CompareTest>(argc, argv);
 }
 
 #include "compare_test.moc"

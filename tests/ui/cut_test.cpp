@@ -1,20 +1,14 @@
 // Cutting a mesh open from the menu: along the selected edges, and to a disk.
-#include <QAction>
-#include <QApplication>
 #include <QDir>
-#include <QTest>
 #include <glm/geometric.hpp>
 
 #include "core/catalog/catalog.h"
 #include "core/mesh/rings.h"
 #include "core/mesh/select.h"
-#include "ui/application.h"
-#include "ui/evaluation_service.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/file_commands.h"
-#include "ui/main_window.h"
 #include "ui/stack_edits.h"
 #include "ui/viewport/cut_tool.h"
-#include "ui/viewport/viewport.h"
 
 using namespace mw;
 
@@ -80,23 +74,12 @@ ElementSet edgesOf(const std::array<uint32_t, 4>& way)
 
 }  // namespace
 
-class CutTest : public QObject {
+class CutTest : public QObject, protected WindowFixture {
     Q_OBJECT
 
 private:
-    std::unique_ptr<MainWindow> w_;
-
-    Document& document() { return w_->session().document; }
-    Session& session() { return w_->session(); }
     MeshId mesh() { return document().scene().meshes().front(); }
     NodeId node() { return document().scene().nodes().front(); }
-    void settle()
-    {
-        QTest::qWait(50);
-        QTRY_VERIFY_WITH_TIMEOUT(w_->evaluations().idle() && !session().jobs.busy(), 60000);
-        QTest::qWait(50);
-        QTRY_VERIFY_WITH_TIMEOUT(!session().jobs.busy(), 60000);
-    }
     void open(const Mesh& m)
     {
         w_->files().openScene(sceneOf(m, "thing"), "Open");
@@ -104,14 +87,6 @@ private:
         document().select({{node()}, {}, {}});
         w_->viewport().frameAll(false);
     }
-    QAction* action(const QString& text)
-    {
-        for (QAction* a : w_->findChildren<QAction*>())
-            if (a->text() == text) return a;
-        qFatal("there is no action \"%s\"", qPrintable(text));
-    }
-
-    Viewport& view() { return w_->viewport(); }
     CutTool& tool() { return static_cast<CutTool&>(view().tool(ToolKind::Cut)); }
     QPoint pixelOf(const Mesh& m, uint32_t vertex)
     {
@@ -146,13 +121,7 @@ private:
     }
 
 private slots:
-    void init()
-    {
-        w_ = std::make_unique<MainWindow>();
-        w_->resize(1600, 1000);
-        w_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(w_.get()));
-    }
+    void init() { showWindow(1600, 1000); }
     void cleanup() { w_.reset(); }
 
     void cutsAlongSelectedEdges()
@@ -304,11 +273,7 @@ private slots:
 
 int main(int argc, char** argv)
 {
-    prepareApplication();
-    QApplication app(argc, argv);
-    dressApplication(app);
-    CutTest test;
-    return QTest::qExec(&test, argc, argv);
+    return runTests<CutTest>(argc, argv);
 }
 
 #include "cut_test.moc"

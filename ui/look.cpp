@@ -248,16 +248,20 @@ void keepWide(QScrollArea* area)
         explicit Keeper(QScrollArea* a) : QObject(a->widget()), area(a) { keep(); }
         bool eventFilter(QObject*, QEvent* e) override
         {
-            if (e->type() == QEvent::LayoutRequest) keep();
+            if (e->type() == QEvent::LayoutRequest || e->type() == QEvent::Resize) keep();
             return false;
         }
         void keep() const
         {
-            area->setMinimumWidth(area->widget()->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width() + 2 * area->frameWidth());
+            const int page = area->widget()->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width() + 2 * area->frameWidth();
+            area->setMinimumWidth(std::min(page, area->window()->width() / 3));
         }
         QScrollArea* area;
     };
-    area->widget()->installEventFilter(new Keeper(area));
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    auto* keeper = new Keeper(area);
+    area->widget()->installEventFilter(keeper);
+    area->installEventFilter(keeper);
 }
 
 SectionBar::SectionBar(const QString& title, QWidget* parent) : QWidget(parent), title_(title)

@@ -486,6 +486,7 @@ QWidget* makePaneHeader(Session& session, ViewArea& views, Viewport& view, Actio
     // Later: the button is a part of what goes.
     QObject::connect(
         close, &QToolButton::clicked, &views, [&views] { views.split(1); }, Qt::QueuedConnection);
+    close->setProperty("small", true);
     close->setFixedSize(24, 26);
     close->setFocusPolicy(Qt::TabFocus);
     line->addWidget(close);
@@ -502,6 +503,7 @@ QWidget* makeToolStrip(Actions& a, QWidget* parent)
     box->setContentsMargins(4, 6, 4, 6);
     for (QAction* action : a.tools) {
         auto* b = buttonOf(action, strip, 30);
+        b->setProperty("small", true);
         b->setFixedSize(30, 30);
         b->setIconSize({20, 20});
         box->addWidget(b);

@@ -85,6 +85,13 @@ private:
         if (w->height() < hint.height()) blame(w, QString("is %1 high, needs %2").arg(w->height()).arg(hint.height()));
         if (!elides(w) && w->width() < hint.width()) blame(w, QString("is %1 wide, needs %2").arg(w->width()).arg(hint.width()));
     }
+    // An icon is drawn smaller, and not evenly, when its button leaves it less room than it has.
+    void lookAtIcon(const QToolButton* b)
+    {
+        const QSize hint = b->sizeHint() - QSize(6, 5);
+        if (b->width() < hint.width() || b->height() < hint.height())
+            blame(b, QString("is %1 by %2, its icon needs %3 by %4").arg(b->width()).arg(b->height()).arg(hint.width()).arg(hint.height()));
+    }
     void lookAtPlace(const QWidget* w)
     {
         if (!qobject_cast<const QLineEdit*>(w) && !scrollsSideways(w)) {
@@ -111,7 +118,11 @@ private:
     void look()
     {
         for (const QWidget* w : w_->findChildren<QWidget*>()) {
-            if (!w->isVisible() || w->visibleRegion().isEmpty() || !showsText(w)) continue;
+            if (!w->isVisible() || w->visibleRegion().isEmpty()) continue;
+            if (auto* b = qobject_cast<const QToolButton*>(w);
+                b && !b->icon().isNull() && !qobject_cast<const QLineEdit*>(b->parentWidget()) && !showsText(b))
+                lookAtIcon(b);
+            if (!showsText(w)) continue;
             if (qobject_cast<const QAbstractScrollArea*>(w->parentWidget())) continue;
             lookAtText(w);
             lookAtPlace(w);

@@ -149,7 +149,6 @@ private:
     {
         auto* area = new QScrollArea(split);
         area->setWidgetResizable(true);
-        area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         auto* inside = new QWidget(area);
         auto* box = new QVBoxLayout(inside);
         box->setContentsMargins(0, 4, 8, 4);

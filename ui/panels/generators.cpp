@@ -44,7 +44,6 @@ public:
         outer->addWidget(summary_);
         area_ = new QScrollArea(this);
         area_->setWidgetResizable(true);
-        area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         outer->addWidget(area_, 1);
         connect(choice_, &QComboBox::currentIndexChanged, this, [this] { showForm({}); });
         connect(go_, &QPushButton::clicked, this, [this] { generate(); });

@@ -107,7 +107,6 @@ public:
         outer->addWidget(empty_);
         area_ = new QScrollArea(this);
         area_->setWidgetResizable(true);
-        area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         auto* inside = new QWidget(area_);
         box_ = new QVBoxLayout(inside);
         box_->setContentsMargins(8, 8, 8, 8);

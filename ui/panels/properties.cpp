@@ -105,7 +105,6 @@ public:
         auto* outer = new QVBoxLayout(this);
         outer->setContentsMargins(0, 0, 0, 0);
         auto* area = new QScrollArea(this);
-        area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         auto* page = new QWidget(area);
         auto* column = new QVBoxLayout(page);
         column->setContentsMargins(8, 8, 8, 8);

@@ -33,6 +33,7 @@ QToolButton* arrowButton(QWidget* parent, const char* icon, const QString& name,
     b->setAccessibleName(name);
     b->setToolTip(tip);
     b->setAutoRaise(true);
+    b->setProperty("small", true);
     b->setFixedSize(24, 24);
     b->setFocusPolicy(Qt::TabFocus);
     return b;

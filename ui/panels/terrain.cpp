@@ -30,7 +30,6 @@ public:
         outer->addWidget(empty_);
         area_ = new QScrollArea(this);
         area_->setWidgetResizable(true);
-        area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         auto* inside = new QWidget(area_);
         auto* box = new QVBoxLayout(inside);
         box->setContentsMargins(8, 8, 8, 8);

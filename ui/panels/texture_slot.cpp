@@ -80,6 +80,7 @@ void TextureSlot::makeButtons()
     thumbnail_->setFixedSize(side + 4, side + 4);
     thumbnail_->setIconSize({side - 4, side - 4});
     thumbnail_->setProperty("tile", true);
+    thumbnail_->setProperty("small", true);
     thumbnail_->setFocusPolicy(Qt::TabFocus);
     thumbnail_->setAccessibleName(QString("Choose picture: %1").arg(w.title));
     thumbnail_->setToolTip(QString("%1 Click to choose a PNG or JPEG, or drop one here.").arg(w.tip));
@@ -87,7 +88,7 @@ void TextureSlot::makeButtons()
     clear_ = new QToolButton(this);
     clear_->setIcon(icon("x", look::tone().text2));
     clear_->setFixedSize(22, 22);
-    clear_->setStyleSheet("padding: 0px;");
+    clear_->setProperty("small", true);
     clear_->setFocusPolicy(Qt::TabFocus);
     clear_->setAccessibleName(QString("Clear picture: %1").arg(w.title));
     clear_->setToolTip("Take the picture off this material");

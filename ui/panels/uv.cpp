@@ -164,7 +164,7 @@ private:
             auto* b = new QToolButton(body_);
             b->setIcon(icon(image, tokens().text2));
             b->setFixedSize(24, 24);
-            b->setStyleSheet("padding: 0px;");
+            b->setProperty("small", true);
             b->setFocusPolicy(Qt::TabFocus);
             b->setAccessibleName(name);
             b->setToolTip(tip);

@@ -110,6 +110,7 @@ void PlotPanel::makePlot()
     menu->setAccessibleName(tr("Plot menu"));
     menu->setToolTip(tr("Numbers shown, scale, saving."));
     menu->setObjectName("plot-menu");
+    menu->setProperty("small", true);
     menu->setFixedSize(24, 20);
     connect(menu, &QToolButton::clicked, this, [this, menu] { showMenu(menu->mapToGlobal(QPoint(0, menu->height()))); });
     applyTheme();

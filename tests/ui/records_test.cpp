@@ -221,6 +221,7 @@ void RecordsTest::hoveringFlashes()
     Desk d(sheet());
     d.pick(ElementKind::Vertex, {12});
     QTableWidgetItem* next = d.cell("Half-edge", "vert");
+    QVERIFY(QTest::qWaitForWindowExposed(d.panel.get()));  // until then the window manager may still move it from under the pointer
     const QPoint at = d.table()->visualItemRect(next).center();
     QTest::mouseMove(d.table()->viewport(), at - QPoint(3, 0));
     QTest::mouseMove(d.table()->viewport(), at);

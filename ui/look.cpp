@@ -6,6 +6,7 @@
 #include <QHash>
 #include <QLabel>
 #include <QLocale>
+#include <QMainWindow>
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
@@ -254,7 +255,8 @@ void keepWide(QScrollArea* area)
         void keep() const
         {
             const int page = area->widget()->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width() + 2 * area->frameWidth();
-            area->setMinimumWidth(std::min(page, area->window()->width() / 3));
+            const bool docked = qobject_cast<QMainWindow*>(area->window());
+            area->setMinimumWidth(docked ? std::min(page, area->window()->width() / 3) : page);
         }
         QScrollArea* area;
     };

@@ -41,7 +41,7 @@ QString counted(size_t n, const QString& one, const QString& many);
 QFont monospace();
 /// One sentence and, with a `button`, one thing to do; top aligned.
 QWidget* emptyState(QWidget* parent, QLabel** sentence, QPushButton** button = nullptr);
-/// A form is never narrower than what is in it, so that its dock is as wide as that; but not over a third of the window, where it scrolls.
+/// A form is never narrower than what is in it, so that its dock is as wide as that; but not over a third of the main window, where it scrolls.
 void keepWide(QScrollArea* area);
 /// A heading bar of a section: bold title, a figure beside it.
 class SectionBar : public QWidget {

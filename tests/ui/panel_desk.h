@@ -1,5 +1,6 @@
 // What tests of single panels stand on: a document and the services that a panel is given, without a window.
 #pragma once
+#include <QTest>
 #include <QWidget>
 #include <memory>
 
@@ -29,11 +30,13 @@ struct PanelDesk {
         document.open(std::move(scene), {}, "New");
         document.select({{node}, {}, {}});
     }
-    void show(QWidget* (*make)(Session&, QWidget*), int width, int height)
+    void show(QWidget* (*make)(Session&, QWidget*), int width, int height, bool untilInPlace = true)
     {
         panel.reset(make(session, nullptr));
         panel->resize(width, height);
         panel->show();
+        // Until then a busy window manager may still move and resize it, away from under the pointer.
+        if (untilInPlace) static_cast<void>(QTest::qWaitForWindowExposed(panel.get()));
     }
 };
 

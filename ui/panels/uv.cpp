@@ -16,6 +16,7 @@
 
 #include "core/metrics/uv_distortion.h"
 #include "core/scene/edit.h"
+#include "ui/elided.h"
 #include "ui/evaluation_service.h"
 #include "ui/look.h"
 #include "ui/panels/decoded_picture.h"
@@ -147,7 +148,7 @@ private:
     {
         auto* line = new QHBoxLayout;
         line->setSpacing(6);
-        folded_ = new QLabel(body_);
+        folded_ = new ElidedLabel(body_);
         folded_->setObjectName("uvFolded");
         folded_->setToolTip("Faces that lie upside down in the plane, hatched red; small ones are ringed");
         select_ = new QPushButton("Select", body_);

@@ -109,10 +109,10 @@ void UvCanvas::render()
         QImage made = uvPicture(*subject, view, options, size, stop.get());
         QMetaObject::invokeMethod(
             this,
-            [this, made = std::move(made), subject, view, size] {
+            [this, made = std::move(made), subject, view, size, stop] {
                 running_ = false;
-                if (made.isNull()) return render();
-                if (subject != subject_) return render();
+                // It may have been done before it heard that something newer is wanted.
+                if (made.isNull() || *stop || subject != subject_) return render();
                 picture_ = made;
                 pictured_ = view;
                 picturedSize_ = size;

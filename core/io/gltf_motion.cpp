@@ -11,8 +11,6 @@ namespace mw {
 
 namespace {
 
-constexpr const char* again = "; export the file again";
-
 Array<uint32_t> firstElements(size_t n)
 {
     Array<uint32_t> all(n);

@@ -380,7 +380,7 @@ Array<float> MeshWriter::tangents(const GltfSplit& s, std::span<const float> nor
     }
     Array<float> out(4 * n);
     for (size_t i = 0; i < n; ++i) {
-        const glm::dvec3 up(double(normals[3 * i]), double(normals[3 * i + 1]), double(normals[3 * i + 2]));
+        const glm::dvec3 up{normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]};
         glm::dvec3 t = along[i] - up * glm::dot(up, along[i]);
         if (!(glm::length(t) > 1e-12 * glm::length(along[i])) || !std::isfinite(glm::length(t)))
             t = glm::cross(up, std::abs(up.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));

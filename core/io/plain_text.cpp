@@ -36,7 +36,7 @@ FileBytes fromUtf16(const FileBytes& bytes, bool bigEndian)
         out += char(0x80 | (c & 0x3f));
     }
     FileBytes text(out.size());
-    std::memcpy(text.data(), out.data(), out.size());
+    std::copy(out.begin(), out.end(), text.data());
     return text;
 }
 

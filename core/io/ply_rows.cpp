@@ -302,7 +302,7 @@ bool PlyBody::readPlainFaces(const PlyElement& element, std::vector<PlyColumn>& 
         uint32_t* to = values.room(n);
         if (n == 3)
             std::memcpy(to, p + 1, 12);
-        else
+        else if (n > 0)
             std::memcpy(to, p + 1, 4 * n);
         size += n;
         values.cut(size);

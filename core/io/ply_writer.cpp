@@ -249,7 +249,7 @@ void Writer::faces()
         if (plain) {
             char* to = out_.room(1 + 4 * corners.size());
             *to++ = char(corners.size());
-            std::memcpy(to, corners.data(), corners.size_bytes());
+            if (!corners.empty()) std::memcpy(to, corners.data(), corners.size_bytes());
             out_.advance(to + corners.size_bytes());
             continue;
         }

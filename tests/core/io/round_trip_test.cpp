@@ -98,6 +98,20 @@ TEST(RoundTrip, PlyKeepsEveryAttributeInEveryEncoding)
     }
 }
 
+// Then its list of corners is no memory at all.
+TEST(RoundTrip, PlyKeepsFacesWithoutCorners)
+{
+    const Mesh m(Array<glm::vec3>{{0, 0, 0}, {1, 0, 0}}, Array<uint32_t>{0, 0, 0}, Array<uint32_t>{});
+    const Folder folder;
+    for (const WriteOptions& o : encodings) {
+        writeFile(sceneOf(m, "hollow"), folder.path / "a.ply", o);
+        const Mesh back = meshOf(readFile(folder.path / "a.ply"));
+        EXPECT_EQ(back.vertexCount(), 2u);
+        EXPECT_EQ(back.faceCount(), 2u);
+        EXPECT_EQ(back.cornerCount(), 0u);
+    }
+}
+
 TEST(RoundTrip, PlyWritesValuesOfCornersAtVerticesOrFacesWhereTheyAgree)
 {
     Mesh m = patch();

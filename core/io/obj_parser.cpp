@@ -81,7 +81,8 @@ public:
     uint32_t number(const std::string& name, bool& full)
     {
         if (auto i = numbers_.find(name); i != numbers_.end()) return i->second;
-        if ((full = list_.size() == most_)) return uint32_t(most_ - 1);
+        full = list_.size() == most_;
+        if (full) return uint32_t(most_ - 1);
         list_.push_back(name);
         return numbers_[name] = uint32_t(list_.size() - 1);
     }
@@ -301,11 +302,12 @@ inline const char* Parser::corner(const char* p)
     const int64_t reported = wrongIndex_;
     if (*p == '/') {
         ++p;
-        if (*p != '/' && !endsToken(*p) && !(p = index(p, data_.texcoords.size(), t))) return nullptr;
-        if (*p == '/') {
+        if (*p != '/' && !endsToken(*p)) p = index(p, data_.texcoords.size(), t);
+        if (p && *p == '/') {
             ++p;
-            if (!endsToken(*p) && !(p = index(p, data_.normals.size(), n))) return nullptr;
+            if (!endsToken(*p)) p = index(p, data_.normals.size(), n);
         }
+        if (!p) return nullptr;
     }
     wrongIndex_ = reported;
     if (!endsToken(*p) && *p != '\\') return nullptr;

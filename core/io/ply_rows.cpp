@@ -151,7 +151,8 @@ void PlyBody::readList(const PlyElement& element, PlyColumn& column, size_t byte
     const double length = value(column.property.countType);
     if (!(length >= 0) || length != std::floor(length))
         fail(element, "a list cannot have " + std::to_string(length) + " values (" + inQuotes(column.property.name) + ")");
-    if (length > double((left() + 1) / bytesEach))
+    const size_t most = (left() + 1) / bytesEach;
+    if (length > double(most))
         fail(element, "the list " + inQuotes(column.property.name) + " says it has " + std::to_string(uint64_t(length)) +
                           " values, more than the file has bytes for");
     const size_t n = size_t(length);
